@@ -1,0 +1,68 @@
+// The facts that C++ and GLSL share: group sizes, buffer slots, sentinels and struct layouts.
+// Both compilers read this very file (GLSL through the #include of our loader, C++ through core/layout.h),
+// so there is no second copy to keep in step. Only facts live here, never logic.
+// GLSL 4.30 wants literals for local_size_x and binding, hence macros instead of constants.
+// In both languages a vec3 is followed by a 4-byte member, which makes std140, std430 and C++ agree;
+// tests/layout_gpu_test.cpp asks the driver and compares.
+
+#define GROUP_SIZE 64             // threads of a work group, one ball, slot or cell each
+#define SORT_GROUP_SIZE 512       // threads of a work group of the fused sort
+#define SORT_TILE_SIZE 2048       // keys a work group sorts in shared memory (8 B each: 16 KiB of the 32 KiB)
+
+#define SENTINEL 0xFFFFFFFFu      // cell id and ball id of the keys that pad to a power of two: they sort last
+
+// Slots: the binding of each buffer. GL 4.3 guarantees eight of them to a compute shader.
+#define SLOT_POSITIONS 0          // vec4 a ball: centre (m), radius (m)
+#define SLOT_VELOCITIES 1         // vec4 a ball: velocity (m/s), mass (kg)
+#define SLOT_DAMPING_RATIOS 2     // float a ball: dashpot zeta, only where a ball has a restitution of its own
+#define SLOT_KEYS 3               // Key a slot, padded to the next power of two
+#define SLOT_CELL_RANGES 4        // CellRange a cell
+#define SLOT_STATUS 5             // one Status
+#define SLOT_NEXT_POSITIONS 6     // as SLOT_POSITIONS, written by collide
+#define SLOT_NEXT_VELOCITIES 7    // as SLOT_VELOCITIES, written by collide
+#define SLOT_COUNT 8
+
+#define BLOCK_PARAMS 0            // uniform block SubstepParams
+
+// Bits of Status.bits, one for each kind of failure that a stage can meet.
+#define STATUS_NOT_FINITE 1u      // collide: a ball's new position or velocity is NaN or infinite
+#define STATUS_OUT_OF_BOUNDS 2u   // assign_cells: a ball's centre lies outside the box
+#define STATUS_OVER_CAPACITY 4u   // build_grid: a key names a cell or ball that has no room
+
+struct Key {
+    uint cell_id;
+    uint ball_id;
+};
+
+// The slots [first, end) hold the balls of one cell; an empty cell has first == end == 0.
+struct CellRange {
+    uint first;
+    uint end;
+};
+
+struct Status {
+    uint bits;
+    uint not_finite;              // balls seen, summed over substeps since the last reset
+    uint out_of_bounds;
+    uint over_capacity;
+};
+
+// Constants of one substep. A kick turns v into decay * v + gain * a.
+struct SubstepParams {
+    vec3 gravity;                 // m/s^2
+    float drift;                  // s: x moves by drift * v
+    vec3 half_extent;             // m: the box is [-half_extent, half_extent]
+    float inverse_cell_width;     // 1/m
+    vec3 grid_origin;             // m: lower corner of cell 0
+    float stiffness;              // N/m
+    uvec3 grid_cells;             // cells along x, y, z
+    uint ball_count;
+    float decay;                  // factor of the kick: exp(-drag * duration)
+    float gain;                   // s: duration of the kick, shortened by drag
+    float second_decay;           // the same for the second kick (velocity Verlet)
+    float second_gain;
+    float damping_ratio;          // dashpot zeta of balls without a restitution of their own
+    uint key_count;               // next power of two of ball_count
+    uint cell_count;
+    uint padding;
+};

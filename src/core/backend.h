@@ -1,0 +1,81 @@
+// What computes a substep: the GPU, or the CPU mirror. Both walk the same schedule over the same slots, so
+// whoever holds a Backend can step, look into every buffer and compare, without knowing which one it is.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/ball_state.h"
+#include "core/schedule.h"
+#include "core/substep_params.h"
+
+namespace ballpit {
+
+using Bytes = std::vector<std::byte>;
+
+/// Milliseconds that one run of a whole substep took, by stage; a stage that did not run has 0.
+using StageTimes = std::array<double, stage_count>;
+
+class Backend {
+public:
+    Backend() = default;
+    Backend(const Backend&) = delete;
+    Backend& operator=(const Backend&) = delete;
+    virtual ~Backend() = default;
+
+    virtual std::string_view name() const = 0;      // "gpu" or "cpu"
+    virtual std::string device() const = 0;         // renderer or processor
+    virtual std::string driver() const = 0;         // version text
+
+    /// Makes room for the schedule's slots and loads the state (`limit_force` turns restitutions into damping
+    /// ratios). Throws DeviceError when the device has no room; the balls that were there are then lost.
+    virtual void load(const BallState& state, const Schedule& schedule, bool limit_force) = 0;
+
+    /// Makes room for another schedule over the same balls (another grid, another sort).
+    virtual void reschedule(const Schedule& schedule) = 0;
+
+    /// Runs dispatches [first, last) of the schedule.
+    virtual void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
+                     std::size_t last) = 0;
+
+    /// Ends a substep: what collide wrote becomes the state.
+    virtual void swap_states() = 0;
+
+    /// The bytes of a slot, in the layout of layout.h. Waits for the device.
+    virtual Bytes read(Slot slot) = 0;
+    /// Overwrites the start of a slot.
+    virtual void write(Slot slot, std::span<const std::byte> bytes) = 0;
+
+    /// Asks for a copy of a slot as it is now, without waiting; poll() has it some frames later. A request
+    /// while another one for the same slot is under way is ignored.
+    virtual void request(Slot slot) = 0;
+    virtual std::optional<Bytes> poll(Slot slot) = 0;
+
+    /// Whether whole-substep runs are timed. Results come late: take_times() has those that are there.
+    virtual void set_timing(bool on) = 0;
+    virtual std::vector<StageTimes> take_times() = 0;
+
+    /// Waits until everything that was run is done.
+    virtual void finish() = 0;
+};
+
+/// The bytes of a slot as typed elements.
+template <class T>
+std::vector<T> typed(std::span<const std::byte> bytes) {
+    std::vector<T> elements(bytes.size() / sizeof(T));
+    if (!elements.empty()) {
+        std::memcpy(elements.data(), bytes.data(), elements.size() * sizeof(T));
+    }
+    return elements;
+}
+
+template <class T>
+std::vector<T> read_slot(Backend& backend, Slot slot) {
+    return typed<T>(backend.read(slot));
+}
+
+}  // namespace ballpit

@@ -1,0 +1,54 @@
+#include "core/contact.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace ballpit {
+
+namespace {
+
+double limited_restitution(double zeta) {
+    if (zeta < 1.0) {
+        const double s = std::sqrt(1.0 - zeta * zeta);
+        return std::exp(-(zeta / s) * (std::numbers::pi - std::atan2(2.0 * zeta * s, 1.0 - 2.0 * zeta * zeta)));
+    }
+    if (zeta == 1.0) {
+        return std::exp(-2.0);  // the common limit of both branches
+    }
+    const double s = std::sqrt(zeta * zeta - 1.0);
+    return std::exp(-(zeta / s) * std::log((zeta + s) / (zeta - s)));
+}
+
+double unlimited_restitution(double zeta) {
+    if (zeta >= 1.0) {
+        return 0.0;
+    }
+    return std::exp(-std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta));
+}
+
+}  // namespace
+
+double restitution_from_damping_ratio(double zeta, bool limit_force) {
+    assert(zeta >= 0.0);
+    return limit_force ? limited_restitution(zeta) : unlimited_restitution(zeta);
+}
+
+double damping_ratio_from_restitution(double e, bool limit_force) {
+    assert(e >= minimum_restitution);
+    if (e >= 1.0) {
+        return 0.0;
+    }
+    double low = 0.0;
+    double high = 4.0;  // e = 0.016 when limited, 0 when not
+    while (high - low > 1e-15 * high) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) {
+            break;  // neighbours in double: no number is left between them
+        }
+        (restitution_from_damping_ratio(middle, limit_force) > e ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+}  // namespace ballpit

@@ -1,0 +1,19 @@
+// Contact law: linear spring and dashpot along the line of centres, F = k * overlap - c * v_n.
+// The dashpot is given by the restitution e through its damping ratio zeta = c / (2 sqrt(k m_eff)),
+// which depends on e alone: one number serves every pair of masses.
+#pragma once
+
+namespace ballpit {
+
+/// Smallest restitution that the explicit dashpot can be asked for (zeta 2.2 when the force is limited).
+inline constexpr double minimum_restitution = 0.05;
+
+/// Restitution e of one collision against the damping ratio zeta >= 0, gravity neglected.
+/// With `limit_force` the contact ends when the force would pull (Schwager and Poeschel 2007, Granular
+/// Matter 9, eq. 21); without, when the overlap returns to zero, e = exp(-pi zeta / sqrt(1 - zeta^2)).
+double restitution_from_damping_ratio(double zeta, bool limit_force);
+
+/// Inverse of the above, by bisection to 1e-15 in zeta. e >= 1 gives 0. Expects e >= minimum_restitution.
+double damping_ratio_from_restitution(double e, bool limit_force);
+
+}  // namespace ballpit

@@ -1,0 +1,26 @@
+// The uniform grid over the box: cell width, cells along each axis, cell ids.
+#pragma once
+
+#include <cstdint>
+
+#include "core/vector.h"
+
+namespace ballpit {
+
+struct Grid {
+    dvec3 origin{0.0};       // m, lower corner of cell 0
+    double cell_width = 1.0; // m
+    uvec3 cells{1};          // along x, y, z; cell id = (z * cells.y + y) * cells.x + x
+
+    std::uint32_t cell_count() const { return cells.x * cells.y * cells.z; }
+};
+
+/// Cells that the table may have for this many balls: enough to keep them almost empty, few enough to be cleared
+/// in every substep.
+std::uint32_t maximum_cells(std::uint32_t ball_count);
+
+/// Cell width 2 * r_max * cell_factor, or wider where the box would need more than maximum_cells (a wider cell
+/// never misses a pair). Balls outside the box belong to the outermost cells.
+Grid make_grid(const dvec3& half_extent, double r_max, double cell_factor, std::uint32_t ball_count);
+
+}  // namespace ballpit

@@ -1,0 +1,63 @@
+// A scene is plain data: what is in the box, which laws hold, and the settings to start with. It says
+// nothing about how it is computed or drawn.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/features.h"
+#include "core/settings.h"
+#include "core/vector.h"
+
+namespace ballpit {
+
+/// One ball as a scene file gives it. SI units.
+struct BallSpec {
+    dvec3 position{0.0};
+    dvec3 velocity{0.0};
+    double radius = 0.1;
+    double mass = 1.0;
+    std::optional<double> restitution;
+};
+
+/// `count` balls put at random into `region` without touching each other, as long as they fit.
+struct Fill {
+    std::uint32_t count = 0;
+    std::array<double, 2> radius{0.1, 0.1};   // m, uniform between the two
+    double density = 1000.0;                  // kg/m^3
+    double speed = 0.0;                       // m/s, the same for all, in random directions
+    std::array<dvec3, 2> region{};            // m, lower and upper corner; holds whole balls
+    std::uint64_t seed = 0;
+};
+
+struct Laws {
+    bool gravity = false;
+    bool drag = false;
+    bool contact = false;
+    bool restitution = false;
+    bool walls = false;
+};
+
+struct Scene {
+    std::string name;
+    std::string about;
+    dvec3 half_extent{10.0};
+    /// If not 0: with more balls than this, box and fill region widen in x and y by sqrt(balls / reference_count),
+    /// so that a pile is as deep at every count.
+    std::uint32_t reference_count = 0;
+    Laws laws;
+    Settings settings;                        // settings.balls == balls.size() + fill count
+    std::vector<BallSpec> balls;
+    std::optional<Fill> fill;
+};
+
+/// Factor by which box and fill region are wider in x and y at this count; 1 or more.
+double widening(const Scene& scene, std::uint32_t balls);
+
+/// The features that these laws and settings ask for.
+Features scene_features(const Scene& scene, const Settings& settings);
+
+}  // namespace ballpit

@@ -1,0 +1,117 @@
+#include "core/schedule.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace ballpit {
+
+namespace {
+
+constexpr std::uint32_t widest_dispatch = 65535;   // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least this
+constexpr std::uint32_t folded_width = 32768;
+
+// Features that each shader looks at; the others must not split its permutations.
+Features relevant(Shader shader, Features features) {
+    return shader == Shader::collide ? features : Features{};
+}
+
+struct Builder {
+    Schedule& schedule;
+
+    void add(Stage stage, std::string name, Shader shader, Groups groups, std::array<std::uint32_t, 4> constants,
+             std::vector<Slot> reads, std::vector<Slot> writes) const {
+        schedule.dispatches.push_back({stage, std::move(name), {shader, relevant(shader, schedule.features)}, groups,
+                                       constants, std::move(reads), std::move(writes)});
+    }
+
+    void pass(std::uint32_t k, std::uint32_t j) const {
+        add(Stage::bitonic_sort, "bitonic_sort k=" + std::to_string(k) + " j=" + std::to_string(j),
+            Shader::bitonic_sort, groups_for(schedule.key_count / 2, GROUP_SIZE), {k, j, 0, 0}, {Slot::keys},
+            {Slot::keys});
+    }
+
+    // All passes with k_first <= k <= k_last and j <= j_first that stay inside a tile.
+    void fused(std::uint32_t k_first, std::uint32_t k_last, std::uint32_t j_first) const {
+        const std::string name = k_first == k_last
+            ? "bitonic_sort_fused k=" + std::to_string(k_first) + " j=" + std::to_string(j_first) + "..1"
+            : "bitonic_sort_fused k=" + std::to_string(k_first) + ".." + std::to_string(k_last);
+        const std::uint32_t tiles = std::max(1u, schedule.key_count / SORT_TILE_SIZE);
+        add(Stage::bitonic_sort, name, Shader::bitonic_sort_fused, groups_for(tiles, 1), {k_first, k_last, j_first, 0},
+            {Slot::keys}, {Slot::keys});
+    }
+
+    void sort_pass_by_pass() const {
+        for (std::uint32_t k = 2; k <= schedule.key_count && k != 0; k *= 2) {
+            for (std::uint32_t j = k / 2; j > 0; j /= 2) {
+                pass(k, j);
+            }
+        }
+    }
+
+    void sort_fused() const {
+        if (schedule.key_count < 2) {
+            return;
+        }
+        const std::uint32_t tile = std::min<std::uint32_t>(SORT_TILE_SIZE, schedule.key_count);
+        fused(2, tile, tile / 2);
+        for (std::uint32_t k = 2 * tile; k <= schedule.key_count && k != 0; k *= 2) {
+            std::uint32_t j = k / 2;
+            for (; j >= tile; j /= 2) {
+                pass(k, j);
+            }
+            fused(k, k, j);
+        }
+    }
+
+    void build_neighbour_grid(SortMethod sort) const {
+        add(Stage::assign_cells, "assign_cells", Shader::assign_cells, groups_for(schedule.key_count, GROUP_SIZE), {},
+            {Slot::positions, Slot::status}, {Slot::keys, Slot::status});
+        sort == SortMethod::bitonic ? sort_pass_by_pass() : sort_fused();
+        add(Stage::build_grid, "clear_cells", Shader::clear_cells, groups_for(schedule.cell_count, GROUP_SIZE), {}, {},
+            {Slot::cell_ranges});
+        add(Stage::build_grid, "build_grid", Shader::build_grid, groups_for(schedule.ball_count, GROUP_SIZE), {},
+            {Slot::keys, Slot::status}, {Slot::cell_ranges, Slot::status});
+    }
+
+    void collide() const {
+        std::vector<Slot> reads{Slot::positions, Slot::velocities, Slot::status};
+        if (schedule.features.has(Feature::contact)) {
+            reads.insert(reads.end(), {Slot::keys, Slot::cell_ranges});
+        }
+        if (schedule.features.has(Feature::ball_restitution)) {
+            reads.push_back(Slot::damping_ratios);
+        }
+        add(Stage::collide, "collide", Shader::collide, groups_for(schedule.ball_count, GROUP_SIZE), {},
+            std::move(reads), {Slot::next_positions, Slot::next_velocities, Slot::status});
+    }
+};
+
+}  // namespace
+
+Groups groups_for(std::uint32_t invocations, std::uint32_t group_size) {
+    const std::uint32_t groups = invocations / group_size + (invocations % group_size != 0 ? 1 : 0);
+    if (groups <= widest_dispatch) {
+        return {groups, 1};
+    }
+    return {folded_width, (groups + folded_width - 1) / folded_width};
+}
+
+Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort) {
+    Schedule schedule;
+    schedule.features = features;
+    schedule.grid = grid;
+    schedule.ball_count = ball_count;
+    if (ball_count == 0) {
+        return schedule;
+    }
+    const Builder builder{schedule};
+    if (features.has(Feature::contact)) {
+        schedule.key_count = std::bit_ceil(ball_count);
+        schedule.cell_count = grid.cell_count();
+        builder.build_neighbour_grid(sort);
+    }
+    builder.collide();
+    return schedule;
+}
+
+}  // namespace ballpit

@@ -1,0 +1,86 @@
+// The step as data: a substep is a list of dispatches, built by a pure function. The GPU executor and the CPU
+// backend walk the same list; stepping, timing, checking, labels and the stage strip read it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/features.h"
+#include "core/grid.h"
+#include "core/layout.h"
+#include "core/settings.h"
+
+namespace ballpit {
+
+enum class Stage : std::uint8_t { assign_cells, bitonic_sort, build_grid, collide };
+inline constexpr std::array<std::string_view, 4> stage_names = {"assign_cells", "bitonic_sort", "build_grid", "collide"};
+inline constexpr std::size_t stage_count = stage_names.size();
+constexpr std::string_view stage_name(Stage stage) { return stage_names[static_cast<std::size_t>(stage)]; }
+
+/// Shader files glsl/<name>.comp, each with a mirror src/cpu/<name>.cpp.
+enum class Shader : std::uint8_t { assign_cells, bitonic_sort, bitonic_sort_fused, clear_cells, build_grid, collide };
+inline constexpr std::array<std::string_view, 6> shader_names = {
+    "assign_cells", "bitonic_sort", "bitonic_sort_fused", "clear_cells", "build_grid", "collide"};
+constexpr std::string_view shader_name(Shader shader) { return shader_names[static_cast<std::size_t>(shader)]; }
+
+/// The buffers, by the role they play in a substep; the values are their bindings.
+enum class Slot : std::uint8_t {
+    positions = SLOT_POSITIONS,
+    velocities = SLOT_VELOCITIES,
+    damping_ratios = SLOT_DAMPING_RATIOS,
+    keys = SLOT_KEYS,
+    cell_ranges = SLOT_CELL_RANGES,
+    status = SLOT_STATUS,
+    next_positions = SLOT_NEXT_POSITIONS,
+    next_velocities = SLOT_NEXT_VELOCITIES,
+};
+inline constexpr std::size_t slot_count = SLOT_COUNT;
+inline constexpr std::array<std::string_view, slot_count> slot_names = {
+    "positions", "velocities", "damping_ratios", "keys", "cell_ranges", "status", "next_positions", "next_velocities"};
+constexpr std::string_view slot_name(Slot slot) { return slot_names[static_cast<std::size_t>(slot)]; }
+
+/// A program is a shader and the features it is compiled with.
+struct Program {
+    Shader shader{};
+    Features features;
+    friend constexpr bool operator==(Program, Program) = default;
+    friend constexpr auto operator<=>(Program, Program) = default;
+};
+
+/// Work groups along x and y; y > 1 only beyond GL's guaranteed 65535 groups.
+struct Groups {
+    std::uint32_t x = 1;
+    std::uint32_t y = 1;
+    friend constexpr bool operator==(Groups, Groups) = default;
+};
+
+struct Dispatch {
+    Stage stage{};
+    std::string name;                             // unique within the schedule: label, timer, panel row, test
+    Program program;
+    Groups groups;
+    std::array<std::uint32_t, 4> constants{};     // uniform uvec4 dispatch_constants
+    std::vector<Slot> reads;
+    std::vector<Slot> writes;                     // a slot may be in both
+};
+
+/// One substep, and what the buffers must hold for it.
+struct Schedule {
+    std::vector<Dispatch> dispatches;
+    Features features;
+    Grid grid;
+    std::uint32_t ball_count = 0;
+    std::uint32_t key_count = 0;                  // 0 where no grid is needed
+    std::uint32_t cell_count = 0;
+};
+
+/// Groups that cover this many invocations of groups of `group_size`.
+Groups groups_for(std::uint32_t invocations, std::uint32_t group_size);
+
+/// The dispatches of a substep. No balls: an empty list. No contact law: a single `collide`, without a grid.
+Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort);
+
+}  // namespace ballpit

@@ -1,0 +1,75 @@
+// The values a user may change while a scene runs, and the table that describes them. The command line
+// (`--set`, `ballpit settings`), the scene parser's ranges and the settings panel all read the one table.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/features.h"
+#include "core/integrator.h"
+#include "core/vector.h"
+
+namespace ballpit {
+
+enum class SortMethod { bitonic, bitonic_fused };
+inline constexpr std::array<std::string_view, 2> sort_names = {"bitonic", "bitonic_fused"};
+
+struct Settings {
+    std::uint32_t balls = 0;
+    dvec3 gravity{0.0, 0.0, -9.8};
+    double drag = 0.1;
+    double stiffness = 1000.0;
+    double restitution = 0.9;
+    bool limit_force = true;
+    double dt = 1.0 / 60.0;
+    std::uint32_t substeps = 8;
+    Integrator integrator = Integrator::leapfrog;
+    SortMethod sort = SortMethod::bitonic_fused;
+    double cell_factor = 1.0;
+
+    friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+inline constexpr std::uint32_t maximum_balls = 1u << 22;
+
+using SettingMember = std::variant<double Settings::*, std::uint32_t Settings::*, bool Settings::*, dvec3 Settings::*,
+                                   Integrator Settings::*, SortMethod Settings::*>;
+
+struct SettingInfo {
+    std::string_view key;      // as in --set and in scene files
+    std::string_view label;    // as on the panel
+    std::string_view unit;     // "" where there is none
+    double minimum;
+    double maximum;
+    bool logarithmic;          // slider scale
+    Feature needs;             // law without which the setting does nothing; Feature{} if it always counts
+    std::string_view about;    // one sentence
+    SettingMember member;
+};
+
+/// Every setting, in the order of the panel.
+std::span<const SettingInfo> setting_table();
+
+/// The row with this key, or nullptr.
+const SettingInfo* find_setting(std::string_view key);
+
+/// Names a choice setting can take; empty for the other kinds.
+std::span<const std::string_view> setting_choices(const SettingInfo& info);
+
+/// Whether the setting does anything in a scene with these features.
+bool setting_applies(const SettingInfo& info, Features features);
+
+/// Value as --set would take it, with round-trip precision: "8", "0.1", "0,0,-9.8", "leapfrog".
+std::string setting_text(const SettingInfo& info, const Settings& settings);
+
+/// Sets one value from text. Throws InputError (key, text, what was expected) for an unknown key, text that
+/// does not parse, a value that is not finite or one outside the range.
+void assign_setting(Settings& settings, std::string_view key, std::string_view text);
+
+/// Throws InputError that begins with `place` if the value is not finite or outside the row's range.
+void check_range(const SettingInfo& info, double value, std::string_view place);
+
+}  // namespace ballpit

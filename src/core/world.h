@@ -1,0 +1,21 @@
+// The starting state of a scene, as a pure function of scene, count and seed.
+#pragma once
+
+#include "core/ball_state.h"
+#include "core/scene.h"
+
+namespace ballpit {
+
+struct World {
+    BallState balls;
+    dvec3 half_extent{0.0};
+    std::uint32_t overlapping = 0;   // balls of the fill that found no free place
+};
+
+/// The first `scene.settings.balls`-like count of balls: those listed first, then the fill, which goes on as
+/// long as `balls` asks for more (the fill's own count is only the default). Ball i is the same for every
+/// count at which the box is as wide. Throws InputError if more balls are asked for than the scene can
+/// give (no fill).
+World make_world(const Scene& scene, std::uint32_t balls, std::uint64_t seed);
+
+}  // namespace ballpit

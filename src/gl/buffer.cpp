@@ -1,0 +1,52 @@
+#include "gl/buffer.h"
+
+#include <cassert>
+#include <string>
+
+#include "gl/debug.h"
+#include "gl/error.h"
+
+namespace ballpit::gl {
+
+namespace {
+
+// The copy target disturbs no state that drawing or dispatching looks at.
+constexpr GLenum neutral = GL_COPY_WRITE_BUFFER;
+
+std::string mebibytes(std::size_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
+
+}  // namespace
+
+Buffer::Buffer(std::string_view label, std::size_t bytes, GLenum usage) : size_(bytes) {
+    GLuint id = 0;
+    glGenBuffers(1, &id);
+    handle_ = Handle<delete_buffer>(id);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    glBindBuffer(neutral, id);
+    glBufferData(neutral, static_cast<GLsizeiptr>(bytes), nullptr, usage);
+    if (glGetError() != GL_NO_ERROR) {
+        throw Error("the device has no room for buffer '" + std::string(label) + "' of " + mebibytes(bytes));
+    }
+    label_object(GL_BUFFER, id, label);
+}
+
+void Buffer::write(std::span<const std::byte> bytes, std::size_t offset) {
+    assert(offset + bytes.size() <= size_);
+    if (bytes.empty()) {
+        return;
+    }
+    bind(neutral);
+    glBufferSubData(neutral, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+}
+
+std::vector<std::byte> Buffer::read() const {
+    std::vector<std::byte> bytes(size_);
+    if (size_ != 0) {
+        bind(neutral);
+        glGetBufferSubData(neutral, 0, static_cast<GLsizeiptr>(size_), bytes.data());
+    }
+    return bytes;
+}
+
+}  // namespace ballpit::gl
