@@ -1,0 +1,293 @@
+#include "core/json_document.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "core/error.h"
+
+namespace ballpit {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t deepest_nesting = 16;
+constexpr std::size_t longest_quote = 60;  // bytes of the file's own text that a message repeats
+
+std::string place_in_text(std::string_view text, std::size_t offset, const std::string& file) {
+    const std::string_view before = text.substr(0, offset);
+    const auto line = 1 + std::ranges::count(before, '\n');
+    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    // Columns count characters, not the continuation bytes of UTF-8.
+    const auto column = 1 + std::ranges::count_if(before.substr(line_start), [](char c) { return (c & 0xC0) != 0x80; });
+    return file + ", line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+// Bytes of the UTF-8 sequence at the start of `text`; 0 if it is none (RFC 3629: no overlong forms, no surrogates).
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const unsigned lead = byte(0);
+    if (lead < 0x80) {
+        return 1;
+    }
+    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+    const unsigned low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
+    if (lead < 0xC2 || lead > 0xF4 || byte(1) < low || byte(1) > high) {
+        return 0;
+    }
+    for (std::size_t i = 2; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+void expect_utf8(std::string_view text, const std::string& file) {
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = utf8_length(text.substr(at));
+        if (length == 0) {
+            throw InputError(place_in_text(text, at, file) + ": expected UTF-8 text, found a byte that is not");
+        }
+        at += length;
+    }
+}
+
+// The text up to `longest_quote` bytes, cut between characters.
+std::string shortened(const std::string& text) {
+    if (text.size() <= longest_quote) {
+        return text;
+    }
+    std::size_t end = longest_quote;
+    while (end > 0 && (text[end] & 0xC0) == 0x80) {
+        --end;
+    }
+    return text.substr(0, end) + "…";
+}
+
+std::string found_text(const json& value) {
+    if (value.is_object()) {
+        return "an object";
+    }
+    if (value.is_array()) {
+        return "a list of " + std::to_string(value.size());
+    }
+    return shortened(value.dump());
+}
+
+std::string place_in_tree(const std::string& file, const JsonValue::Pointer& pointer) {
+    return pointer.empty() ? file : file + ", " + pointer.to_string();
+}
+
+// The library's own words without its error number and its place, which we give in our own form.
+std::string syntax_complaint(const std::string& what) {
+    std::size_t start = what.find("] ");
+    start = start == std::string::npos ? 0 : start + 2;
+    if (const std::size_t details = what.find(" - ", start); details != std::string::npos) {
+        start = details + 3;
+    } else if (const std::size_t number = what.find("number overflow", start); number != std::string::npos) {
+        start = number;
+    }
+    return what.substr(start, what.find("; last read", start) - start);
+}
+
+// Builds the tree itself, because the library's own builder keeps the last of equal keys in silence.
+class TreeBuilder : public nlohmann::json_sax<json> {
+public:
+    TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+    json take() { return std::move(root_); }
+
+    bool null() override { return add(json()) != nullptr; }
+    bool boolean(bool value) override { return add(json(value)) != nullptr; }
+    bool number_integer(number_integer_t value) override { return add(json(value)) != nullptr; }
+    bool number_unsigned(number_unsigned_t value) override { return add(json(value)) != nullptr; }
+    bool number_float(number_float_t value, const string_t&) override { return add(json(value)) != nullptr; }
+    bool string(string_t& value) override { return add(json(std::move(value))) != nullptr; }
+    bool binary(binary_t& value) override { return add(json(std::move(value))) != nullptr; }
+    bool start_object(std::size_t) override { return open(json::object()); }
+    bool start_array(std::size_t) override { return open(json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override {
+        if (open_.back()->contains(name)) {
+            pointer_.push_back(name);
+            throw InputError(place_in_tree(file_, pointer_) + ": expected every key once, found this one twice");
+        }
+        key_ = std::move(name);
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
+        // The position is one past the last byte read, which is the culprit (or the end of the text).
+        const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
+        throw InputError(place_in_text(text_, offset, file_) + ": expected JSON, found " +
+                         syntax_complaint(error.what()));
+    }
+
+private:
+    json* add(json value) {
+        if (open_.empty()) {
+            root_ = std::move(value);
+            return &root_;
+        }
+        json& parent = *open_.back();
+        if (parent.is_array()) {
+            parent.push_back(std::move(value));
+            return &parent.back();
+        }
+        return &(parent[key_] = std::move(value));
+    }
+
+    bool open(json container) {
+        json* opened = add(std::move(container));
+        if (!open_.empty()) {
+            // An element's number is known only now that it is added.
+            json& parent = *open_.back();
+            parent.is_array() ? pointer_.push_back(std::to_string(parent.size() - 1)) : pointer_.push_back(key_);
+        }
+        open_.push_back(opened);
+        if (open_.size() > deepest_nesting) {
+            throw InputError(place_in_tree(file_, pointer_) + ": expected at most " + std::to_string(deepest_nesting) +
+                             " levels of nesting, found more");
+        }
+        return true;
+    }
+
+    bool close() {
+        open_.pop_back();
+        if (!pointer_.empty()) {
+            pointer_.pop_back();
+        }
+        return true;
+    }
+
+    std::string_view text_;
+    const std::string& file_;
+    json root_;
+    std::vector<json*> open_;
+    JsonValue::Pointer pointer_;
+    std::string key_;
+};
+
+}  // namespace
+
+std::string shortest_text(double value) {
+    std::array<char, 32> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), result.ptr};
+}
+
+json parse_json(std::string_view text, const std::string& file) {
+    expect_utf8(text, file);
+    TreeBuilder builder(text, file);
+    json::sax_parse(text.begin(), text.end(), &builder);
+    return builder.take();
+}
+
+std::string JsonValue::place() const { return place_in_tree(*file_, pointer_); }
+
+void JsonValue::refuse(const std::string& expected) const { refuse(expected, found_text(*value_)); }
+
+void JsonValue::refuse(const std::string& expected, const std::string& found) const {
+    throw InputError(place() + ": expected " + expected + ", found " + found);
+}
+
+void JsonValue::expect_object(std::initializer_list<std::string_view> known_keys) const {
+    if (!value_->is_object()) {
+        refuse("an object");
+    }
+    for (const auto& item : value_->items()) {
+        if (std::ranges::find(known_keys, std::string_view(item.key())) == known_keys.end()) {
+            std::string list;
+            for (const std::string_view known : known_keys) {
+                list += (list.empty() ? "" : ", ") + std::string(known);
+            }
+            refuse("no other keys than " + list, "'" + shortened(item.key()) + "'");
+        }
+    }
+}
+
+JsonValue JsonValue::required(std::string_view key) const {
+    const auto member = optional(key);
+    if (!member) {
+        refuse("a key '" + std::string(key) + "'", "none");
+    }
+    return *member;
+}
+
+std::optional<JsonValue> JsonValue::optional(std::string_view key) const {
+    const auto found = value_->find(std::string(key));
+    if (found == value_->end()) {
+        return std::nullopt;
+    }
+    return JsonValue(*found, *file_, pointer_ / std::string(key));
+}
+
+std::size_t JsonValue::expect_array() const {
+    if (!value_->is_array()) {
+        refuse("a list");
+    }
+    return value_->size();
+}
+
+JsonValue JsonValue::element(std::size_t index) const { return {value_->at(index), *file_, pointer_ / index}; }
+
+std::string JsonValue::string() const {
+    if (!value_->is_string()) {
+        refuse("text");
+    }
+    return value_->get<std::string>();
+}
+
+bool JsonValue::boolean() const {
+    if (!value_->is_boolean()) {
+        refuse("true or false");
+    }
+    return value_->get<bool>();
+}
+
+double JsonValue::number() const {
+    if (!value_->is_number()) {
+        refuse("a number");
+    }
+    return value_->get<double>();
+}
+
+double JsonValue::number_between(double minimum, double maximum, std::string_view unit) const {
+    const double value = number();
+    if (!(value >= minimum && value <= maximum)) {
+        refuse("a number from " + shortest_text(minimum) + " to " + shortest_text(maximum) +
+               (unit.empty() ? "" : " " + std::string(unit)));
+    }
+    return value;
+}
+
+std::uint64_t JsonValue::whole_number(std::uint64_t maximum) const {
+    if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() > maximum) {
+        refuse("a whole number from 0 to " + std::to_string(maximum));
+    }
+    return value_->get<std::uint64_t>();
+}
+
+dvec3 JsonValue::vector() const {
+    if (!value_->is_array() || value_->size() != 3) {
+        refuse("a list of three numbers");
+    }
+    return {element(0).number(), element(1).number(), element(2).number()};
+}
+
+dvec3 JsonValue::vector_between(double minimum, double maximum, std::string_view unit) const {
+    const dvec3 value = vector();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        element(axis).number_between(minimum, maximum, unit);
+    }
+    return value;
+}
+
+}  // namespace ballpit
