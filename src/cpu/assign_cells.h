@@ -1,0 +1,21 @@
+// Mirror of glsl/assign_cells.comp: every ball gets the id of the cell that its centre lies in.
+#pragma once
+
+#include <span>
+
+#include "core/layout.h"
+#include "core/substep_params.h"
+
+namespace ballpit::cpu {
+
+/// Cell coordinates of a point (m). Points outside the box belong to the outermost cells, NaN to cell 0.
+template <class Real>
+uvec3 cell_coordinates(const SubstepParams<Real>& params, const Vec3<Real>& point);
+
+/// keys[i] = (cell id, i) for each ball, sentinels behind them. Counts centres outside the box.
+/// positions: ball_count; keys: key_count.
+template <class Real>
+void assign_cells(const SubstepParams<Real>& params, std::span<const Vec4<Real>> positions, std::span<Key> keys,
+                  Status& status);
+
+}  // namespace ballpit::cpu

@@ -1,0 +1,14 @@
+// Mirror of glsl/build_grid.comp: from sorted keys to the range of slots of each cell.
+#pragma once
+
+#include <span>
+
+#include "core/layout.h"
+
+namespace ballpit::cpu {
+
+/// A slot whose neighbour below belongs to another cell writes `first`, one whose neighbour above does writes `end`.
+/// keys: the sorted keys of the balls, without padding. Keys of cells that do not exist are counted, not written.
+void build_grid(std::span<const Key> keys, std::span<CellRange> cell_ranges, Status& status);
+
+}  // namespace ballpit::cpu

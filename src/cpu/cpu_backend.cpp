@@ -1,0 +1,189 @@
+#include "cpu/cpu_backend.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <type_traits>
+#include <utility>
+
+#include "core/contact.h"
+#include "cpu/assign_cells.h"
+#include "cpu/bitonic_sort.h"
+#include "cpu/bitonic_sort_fused.h"
+#include "cpu/build_grid.h"
+#include "cpu/clear_cells.h"
+#include "cpu/collide.h"
+
+namespace ballpit::cpu {
+
+namespace {
+
+template <class T>
+Bytes bytes_of(std::span<const T> elements) {
+    const auto bytes = std::as_bytes(elements);
+    return {bytes.begin(), bytes.end()};
+}
+
+// The shader's layout is float; the reference rounds on the way out.
+template <class To, class From>
+Bytes converted_bytes(const std::vector<From>& elements) {
+    std::vector<To> converted(elements.begin(), elements.end());
+    return bytes_of<To>(converted);
+}
+
+template <class T>
+void overwrite(std::vector<T>& elements, std::span<const std::byte> bytes) {
+    assert(bytes.size() <= elements.size() * sizeof(T));
+    if (!bytes.empty()) {
+        std::memcpy(elements.data(), bytes.data(), bytes.size());
+    }
+}
+
+template <class From, class To>
+void overwrite_converted(std::vector<To>& elements, std::span<const std::byte> bytes) {
+    const std::vector<From> given = typed<From>(bytes);
+    assert(given.size() <= elements.size());
+    std::ranges::transform(given, elements.begin(), [](const From& value) { return To(value); });
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+template <class Real>
+std::string CpuBackend<Real>::device() const {
+    return std::is_same_v<Real, float> ? "CPU mirror (float, one thread)" : "CPU reference (double, one thread)";
+}
+
+template <class Real>
+std::string CpuBackend<Real>::driver() const {
+#if defined(__clang__)
+    return "clang " __clang_version__;
+#elif defined(__GNUC__)
+    return "gcc " __VERSION__;
+#else
+    return "C++20 compiler";
+#endif
+}
+
+template <class Real>
+void CpuBackend<Real>::load(const BallState& state, const Schedule& schedule, bool limit_force) {
+    positions_.assign(state.positions.begin(), state.positions.end());
+    velocities_.assign(state.velocities.begin(), state.velocities.end());
+    next_positions_ = positions_;
+    next_velocities_ = velocities_;
+    damping_ratios_.clear();
+    for (const float e : state.restitutions) {
+        // Rounded to float for the reference too: it answers the same question as the mirror.
+        const auto zeta = static_cast<float>(damping_ratio_from_restitution(static_cast<double>(e), limit_force));
+        damping_ratios_.push_back(static_cast<Real>(zeta));
+    }
+    status_ = {};
+    requested_ = {};
+    reschedule(schedule);
+}
+
+template <class Real>
+void CpuBackend<Real>::reschedule(const Schedule& schedule) {
+    keys_.assign(schedule.key_count, Key{SENTINEL, SENTINEL});
+    cell_ranges_.assign(schedule.cell_count, CellRange{0, 0});
+}
+
+template <class Real>
+void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params) {
+    switch (dispatch.program.shader) {
+        case Shader::assign_cells:
+            return assign_cells<Real>(params, positions_, keys_, status_);
+        case Shader::bitonic_sort:
+            return bitonic_sort(keys_, dispatch.constants[0], dispatch.constants[1]);
+        case Shader::bitonic_sort_fused:
+            return bitonic_sort_fused(keys_, dispatch.constants[1]);
+        case Shader::clear_cells:
+            return clear_cells(cell_ranges_);
+        case Shader::build_grid:
+            return build_grid(std::span(keys_).first(params.ball_count), cell_ranges_, status_);
+        case Shader::collide:
+            return collide<Real>(params, dispatch.program.features,
+                                 {positions_, velocities_, damping_ratios_, keys_, cell_ranges_}, next_positions_,
+                                 next_velocities_, status_);
+    }
+}
+
+template <class Real>
+void CpuBackend<Real>::run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
+                           std::size_t last) {
+    const auto narrow = narrowed<Real>(params);
+    const bool whole = first == 0 && last == schedule.dispatches.size();
+    StageTimes times{};
+    for (std::size_t i = first; i < last; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        run_dispatch(schedule.dispatches[i], narrow);
+        times[static_cast<std::size_t>(schedule.dispatches[i].stage)] += milliseconds_since(start);
+    }
+    if (timing_ && whole) {
+        times_.push_back(times);
+    }
+}
+
+template <class Real>
+void CpuBackend<Real>::swap_states() {
+    positions_.swap(next_positions_);
+    velocities_.swap(next_velocities_);
+}
+
+template <class Real>
+Bytes CpuBackend<Real>::read(Slot slot) {
+    switch (slot) {
+        case Slot::positions: return converted_bytes<vec4>(positions_);
+        case Slot::velocities: return converted_bytes<vec4>(velocities_);
+        case Slot::next_positions: return converted_bytes<vec4>(next_positions_);
+        case Slot::next_velocities: return converted_bytes<vec4>(next_velocities_);
+        case Slot::damping_ratios: return converted_bytes<float>(damping_ratios_);
+        case Slot::keys: return bytes_of<Key>(keys_);
+        case Slot::cell_ranges: return bytes_of<CellRange>(cell_ranges_);
+        case Slot::status: return bytes_of<Status>({&status_, 1});
+    }
+    return {};
+}
+
+template <class Real>
+void CpuBackend<Real>::write(Slot slot, std::span<const std::byte> bytes) {
+    switch (slot) {
+        case Slot::positions: return overwrite_converted<vec4>(positions_, bytes);
+        case Slot::velocities: return overwrite_converted<vec4>(velocities_, bytes);
+        case Slot::next_positions: return overwrite_converted<vec4>(next_positions_, bytes);
+        case Slot::next_velocities: return overwrite_converted<vec4>(next_velocities_, bytes);
+        case Slot::damping_ratios: return overwrite_converted<float>(damping_ratios_, bytes);
+        case Slot::keys: return overwrite(keys_, bytes);
+        case Slot::cell_ranges: return overwrite(cell_ranges_, bytes);
+        case Slot::status:
+            assert(bytes.size() == sizeof(Status));
+            std::memcpy(&status_, bytes.data(), sizeof(Status));
+            return;
+    }
+}
+
+template <class Real>
+void CpuBackend<Real>::request(Slot slot) {
+    auto& requested = requested_[static_cast<std::size_t>(slot)];
+    if (!requested) {
+        requested = read(slot);
+    }
+}
+
+template <class Real>
+std::optional<Bytes> CpuBackend<Real>::poll(Slot slot) {
+    return std::exchange(requested_[static_cast<std::size_t>(slot)], std::nullopt);
+}
+
+template <class Real>
+std::vector<StageTimes> CpuBackend<Real>::take_times() {
+    return std::exchange(times_, {});
+}
+
+template class CpuBackend<float>;
+template class CpuBackend<double>;
+
+}  // namespace ballpit::cpu

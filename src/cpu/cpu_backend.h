@@ -1,0 +1,57 @@
+// The mirror as a backend: walks the schedule with the mirror functions, on one thread.
+// CpuBackend<float> is the mirror of the GPU, CpuBackend<double> the reference.
+#pragma once
+
+#include <vector>
+
+#include "core/backend.h"
+
+namespace ballpit::cpu {
+
+template <class Real>
+class CpuBackend final : public Backend {
+public:
+    std::string_view name() const override { return "cpu"; }
+    std::string device() const override;
+    std::string driver() const override;
+
+    void load(const BallState& state, const Schedule& schedule, bool limit_force) override;
+    void reschedule(const Schedule& schedule) override;
+    void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
+             std::size_t last) override;
+    void swap_states() override;
+
+    /// In the layout of layout.h: the reference's positions and velocities are rounded to float.
+    Bytes read(Slot slot) override;
+    void write(Slot slot, std::span<const std::byte> bytes) override;
+    void request(Slot slot) override;
+    std::optional<Bytes> poll(Slot slot) override;
+    void set_timing(bool on) override { timing_ = on; }
+    std::vector<StageTimes> take_times() override;
+    void finish() override {}
+
+    std::span<const Vec4<Real>> positions() const { return positions_; }
+    std::span<const Vec4<Real>> velocities() const { return velocities_; }
+    std::span<const Vec4<Real>> next_velocities() const { return next_velocities_; }
+    std::span<const CellRange> cell_ranges() const { return cell_ranges_; }
+
+private:
+    void run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params);
+
+    std::vector<Vec4<Real>> positions_;
+    std::vector<Vec4<Real>> velocities_;
+    std::vector<Vec4<Real>> next_positions_;
+    std::vector<Vec4<Real>> next_velocities_;
+    std::vector<Real> damping_ratios_;
+    std::vector<Key> keys_;
+    std::vector<CellRange> cell_ranges_;
+    Status status_{};
+    std::array<std::optional<Bytes>, slot_count> requested_;
+    bool timing_ = false;
+    std::vector<StageTimes> times_;
+};
+
+extern template class CpuBackend<float>;
+extern template class CpuBackend<double>;
+
+}  // namespace ballpit::cpu

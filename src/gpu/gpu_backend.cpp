@@ -1,0 +1,227 @@
+#include "gpu/gpu_backend.h"
+
+#include <cassert>
+#include <cstring>
+#include <utility>
+
+#include "core/contact.h"
+#include "core/error.h"
+#include "gl/debug.h"
+#include "gl/error.h"
+
+namespace ballpit::gpu {
+
+namespace {
+
+std::string gl_text(GLenum name) {
+    const auto* text = reinterpret_cast<const char*>(glGetString(name));
+    return text == nullptr ? "" : text;
+}
+
+std::vector<float> damping_ratios_of(const BallState& state, bool limit_force) {
+    std::vector<float> ratios;
+    for (const float e : state.restitutions) {
+        ratios.push_back(static_cast<float>(damping_ratio_from_restitution(static_cast<double>(e), limit_force)));
+    }
+    return ratios;
+}
+
+}  // namespace
+
+GpuBackend::GpuBackend(std::filesystem::path shader_folder) : programs_(std::move(shader_folder)) {
+    if (GLAD_GL_VERSION_4_3 == 0) {
+        throw gl::Error("the GPU backend needs OpenGL 4.3, this context has " + gl_text(GL_VERSION));
+    }
+    params_buffer_ = gl::Buffer("params", sizeof(layout::SubstepParams), GL_DYNAMIC_DRAW);
+}
+
+std::string GpuBackend::device() const { return gl_text(GL_RENDERER); }
+
+std::string GpuBackend::driver() const { return gl_text(GL_VERSION); }
+
+std::size_t GpuBackend::physical(Slot slot) const {
+    if (swapped_) {
+        switch (slot) {
+            case Slot::positions: return static_cast<std::size_t>(Slot::next_positions);
+            case Slot::velocities: return static_cast<std::size_t>(Slot::next_velocities);
+            case Slot::next_positions: return static_cast<std::size_t>(Slot::positions);
+            case Slot::next_velocities: return static_cast<std::size_t>(Slot::velocities);
+            default: break;
+        }
+    }
+    return static_cast<std::size_t>(slot);
+}
+
+void GpuBackend::reserve(Slot slot, std::size_t bytes) {
+    GLint64 limit = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+    if (bytes > static_cast<std::size_t>(limit)) {
+        throw DeviceError("buffer '" + std::string(slot_name(slot)) + "' would need " + std::to_string(bytes >> 20) +
+                          " MiB, the device allows " + std::to_string(limit >> 20) + " MiB a buffer");
+    }
+    if (buffer(slot).size() < bytes) {
+        try {
+            buffer(slot) = gl::Buffer(slot_name(slot), bytes);
+        } catch (const gl::Error& error) {
+            throw DeviceError(error.what());
+        }
+    }
+    used_bytes_[physical(slot)] = bytes;
+}
+
+void GpuBackend::load(const BallState& state, const Schedule& schedule, bool limit_force) {
+    const std::size_t state_bytes = state.positions.size() * sizeof(vec4);
+    for (const Slot slot : {Slot::positions, Slot::velocities, Slot::next_positions, Slot::next_velocities}) {
+        reserve(slot, state_bytes);
+    }
+    const std::vector<float> ratios = damping_ratios_of(state, limit_force);
+    reserve(Slot::damping_ratios, ratios.size() * sizeof(float));
+    reserve(Slot::status, sizeof(Status));
+    reschedule(schedule);
+    const Status clean{};
+    write(Slot::positions, std::as_bytes(std::span(state.positions)));
+    write(Slot::velocities, std::as_bytes(std::span(state.velocities)));
+    write(Slot::next_positions, std::as_bytes(std::span(state.positions)));
+    write(Slot::next_velocities, std::as_bytes(std::span(state.velocities)));
+    write(Slot::damping_ratios, std::as_bytes(std::span(ratios)));
+    write(Slot::status, std::as_bytes(std::span(&clean, 1)));
+    readbacks_ = {};
+}
+
+void GpuBackend::reschedule(const Schedule& schedule) {
+    reserve(Slot::keys, schedule.key_count * sizeof(Key));
+    reserve(Slot::cell_ranges, schedule.cell_count * sizeof(CellRange));
+    for (const Dispatch& dispatch : schedule.dispatches) {
+        programs_.get(dispatch.program);   // compile now, so that no substep waits for it
+    }
+}
+
+void GpuBackend::barrier(GLbitfield bits) {
+    if (bits != 0) {
+        glMemoryBarrier(bits);
+        barriers_.issued(bits);
+    }
+}
+
+void GpuBackend::use(Slot slot, Use use) { barrier(barriers_.before_use(physical(slot), use)); }
+
+void GpuBackend::upload(const layout::SubstepParams& params) {
+    if (!uploaded_ || std::memcmp(&*uploaded_, &params, sizeof(params)) != 0) {
+        params_buffer_.write(std::as_bytes(std::span(&params, 1)));
+        uploaded_ = params;
+    }
+}
+
+void GpuBackend::run_dispatch(const Dispatch& dispatch) {
+    const gl::DebugGroup group(dispatch.name);
+    const Programs::Compiled& compiled = programs_.get(dispatch.program);
+    compiled.program.use();
+    if (compiled.dispatch_constants >= 0) {
+        glUniform4uiv(compiled.dispatch_constants, 1, dispatch.constants.data());
+    }
+    GLbitfield bits = 0;
+    for (const Slot slot : dispatch.reads) {
+        bits |= barriers_.before_use(physical(slot), Use::storage);
+        buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
+    }
+    for (const Slot slot : dispatch.writes) {
+        bits |= barriers_.before_write(physical(slot));
+        buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
+    }
+    barrier(bits);
+    glDispatchCompute(dispatch.groups.x, dispatch.groups.y, 1);
+    for (const Slot slot : dispatch.reads) {
+        barriers_.shader_reads(physical(slot));
+    }
+    for (const Slot slot : dispatch.writes) {
+        barriers_.shader_writes(physical(slot));
+    }
+}
+
+void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
+                     std::size_t last) {
+    if (first == last) {
+        return;
+    }
+    upload(shader_params(params));
+    params_buffer_.bind_base(GL_UNIFORM_BUFFER, BLOCK_PARAMS);
+    const bool timed = timing_ && first == 0 && last == schedule.dispatches.size();
+    if (timed) {
+        timer_.begin();
+    }
+    for (std::size_t i = first; i < last; ++i) {
+        run_dispatch(schedule.dispatches[i]);
+        const Stage stage = schedule.dispatches[i].stage;
+        if (timed && (i + 1 == last || schedule.dispatches[i + 1].stage != stage)) {
+            timer_.mark(static_cast<int>(stage));
+        }
+    }
+    if (timed) {
+        timer_.end();
+    }
+}
+
+void GpuBackend::swap_states() { swapped_ = !swapped_; }
+
+Bytes GpuBackend::read(Slot slot) {
+    use(slot, Use::copy);
+    Bytes bytes = buffer(slot).read();
+    bytes.resize(used_bytes_[physical(slot)]);
+    return bytes;
+}
+
+void GpuBackend::write(Slot slot, std::span<const std::byte> bytes) {
+    assert(bytes.size() <= used_bytes_[physical(slot)]);
+    if (!bytes.empty()) {
+        use(slot, Use::copy);
+        buffer(slot).write(bytes);
+    }
+}
+
+void GpuBackend::request(Slot slot) {
+    const auto index = static_cast<std::size_t>(slot);
+    if (readbacks_[index].under_way()) {
+        return;
+    }
+    use(slot, Use::copy);
+    readback_bytes_[index] = used_bytes_[physical(slot)];
+    readbacks_[index].request(buffer(slot));
+}
+
+std::optional<Bytes> GpuBackend::poll(Slot slot) {
+    const auto index = static_cast<std::size_t>(slot);
+    std::optional<Bytes> bytes = readbacks_[index].poll();
+    if (bytes) {
+        bytes->resize(readback_bytes_[index]);
+    }
+    return bytes;
+}
+
+std::vector<StageTimes> GpuBackend::take_times() {
+    std::vector<StageTimes> all;
+    for (const gl::SpanTimer::Span& span : timer_.take()) {
+        StageTimes times{};
+        for (const gl::SpanTimer::Part& part : span) {
+            times[static_cast<std::size_t>(part.tag)] += part.ms;
+        }
+        all.push_back(times);
+    }
+    return all;
+}
+
+void GpuBackend::finish() { glFinish(); }
+
+const gl::Buffer& GpuBackend::buffer_for_drawing(Slot slot) {
+    use(slot, Use::vertex);
+    return buffer(slot);
+}
+
+std::size_t GpuBackend::allocated_bytes() const {
+    std::size_t bytes = params_buffer_.size();
+    for (const gl::Buffer& each : buffers_) {
+        bytes += each.size();
+    }
+    return bytes;
+}
+
+}  // namespace ballpit::gpu

@@ -1,0 +1,66 @@
+// The GPU as a backend: owns the buffers and walks the schedule. Binds by slot, derives each barrier from the
+// next use, labels every dispatch, and times stages with queries that are read late.
+#pragma once
+
+#include <filesystem>
+
+#include "core/backend.h"
+#include "gl/buffer.h"
+#include "gl/readback.h"
+#include "gl/timer.h"
+#include "gpu/barriers.h"
+#include "gpu/programs.h"
+
+namespace ballpit::gpu {
+
+class GpuBackend final : public Backend {
+public:
+    /// Needs a current GL 4.3 context for as long as it lives. Throws gl::Error if it is older.
+    explicit GpuBackend(std::filesystem::path shader_folder);
+
+    std::string_view name() const override { return "gpu"; }
+    std::string device() const override;
+    std::string driver() const override;
+
+    void load(const BallState& state, const Schedule& schedule, bool limit_force) override;
+    void reschedule(const Schedule& schedule) override;
+    void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
+             std::size_t last) override;
+    void swap_states() override;
+    Bytes read(Slot slot) override;
+    void write(Slot slot, std::span<const std::byte> bytes) override;
+    void request(Slot slot) override;
+    std::optional<Bytes> poll(Slot slot) override;
+    void set_timing(bool on) override { timing_ = on; }
+    std::vector<StageTimes> take_times() override;
+    void finish() override;
+
+    /// The buffer in this slot, for use as a vertex attribute: nothing is read back to draw.
+    const gl::Buffer& buffer_for_drawing(Slot slot);
+    /// Bytes of all buffers on the device.
+    std::size_t allocated_bytes() const;
+
+private:
+    // A slot names a role, a physical buffer plays it: collide's output becomes the input by a change of roles.
+    std::size_t physical(Slot slot) const;
+    gl::Buffer& buffer(Slot slot) { return buffers_[physical(slot)]; }
+    void reserve(Slot slot, std::size_t bytes);
+    void barrier(GLbitfield bits);
+    void use(Slot slot, Use use);
+    void upload(const layout::SubstepParams& params);
+    void run_dispatch(const Dispatch& dispatch);
+
+    Programs programs_;
+    std::array<gl::Buffer, slot_count> buffers_;
+    std::array<std::size_t, slot_count> used_bytes_{};
+    gl::Buffer params_buffer_;
+    std::optional<layout::SubstepParams> uploaded_;
+    Barriers<slot_count> barriers_;
+    bool swapped_ = false;
+    std::array<gl::Readback, slot_count> readbacks_;
+    std::array<std::size_t, slot_count> readback_bytes_{};
+    bool timing_ = false;
+    gl::SpanTimer timer_;
+};
+
+}  // namespace ballpit::gpu
