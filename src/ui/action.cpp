@@ -1,0 +1,50 @@
+#include "ui/action.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace ballpit::ui {
+
+namespace {
+
+constexpr std::array<KeyRow, action_count> keys = {{
+    {Action::toggle_run, "Space, P", "Space", "Run or pause"},
+    {Action::one_step, "→, O, Enter", "→", "One step, then pause"},
+    {Action::restart, "R", "R", "Restart with the same seed: the same run again"},
+    {Action::new_seed, "Shift+R", "Shift+R", "Restart with a new seed"},
+    {Action::previous_scene, "[", "[", "Previous scene"},
+    {Action::next_scene, "]", "]", "Next scene"},
+    {Action::toggle_occupancy, "G", "G", "Occupied cells and how many balls they hold"},
+    {Action::toggle_timings, "F3", "F3", "Time of every stage"},
+    {Action::toggle_panels, "Tab", "Tab", "Hide or show the panels"},
+    {Action::full_screen, "F11", "F11", "Full screen"},
+    {Action::camera_home, "Home", "Home", "Camera back to its place"},
+    {Action::toggle_help, "F1", "F1", "This page"},
+    {Action::close, "Esc", "Esc", "Close a list, this page or full screen"},
+    {Action::quit, "Ctrl+Q", "Ctrl+Q", "Quit"},
+}};
+
+constexpr std::array<CameraRow, 7> camera = {{
+    {"W  A  S  D", "Forward, left, back, right"},
+    {"E  Q", "Up, down"},
+    {"Shift", "Move faster while held"},
+    {"Drag", "Look around"},
+    {"Right drag", "Move sideways and up"},
+    {"Wheel", "Nearer, farther"},
+    {"Ctrl+click", "Type a slider's value"},
+}};
+
+}  // namespace
+
+std::span<const KeyRow> key_table() { return keys; }
+
+std::string_view key_hint(Action action) {
+    const auto row = std::ranges::find(keys, action, &KeyRow::action);
+    assert(row != keys.end());
+    return row->hint;
+}
+
+std::span<const CameraRow> camera_table() { return camera; }
+
+}  // namespace ballpit::ui

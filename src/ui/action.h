@@ -1,0 +1,49 @@
+// What a key or a button does, and the one table that names the keys: the input, the help page and the hints
+// beside the controls all read it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace ballpit::ui {
+
+enum class Action : std::uint8_t {
+    toggle_run,
+    one_step,
+    restart,
+    new_seed,
+    previous_scene,
+    next_scene,
+    toggle_occupancy,
+    toggle_timings,
+    toggle_panels,
+    full_screen,
+    camera_home,
+    toggle_help,
+    close,  // what lies on top: a list, the help page, full screen; never the program
+    quit,
+};
+inline constexpr std::size_t action_count = 14;
+
+struct KeyRow {
+    Action action;
+    std::string_view keys;  // as printed on screen
+    std::string_view hint;  // the first of them, for the space beside a control
+    std::string_view meaning;
+};
+
+/// One row an action, in the order of the help page.
+std::span<const KeyRow> key_table();
+
+/// The short form for the space beside a control.
+std::string_view key_hint(Action action);
+
+/// What moves the camera: held keys and the mouse, which are no actions.
+struct CameraRow {
+    std::string_view keys;
+    std::string_view meaning;
+};
+std::span<const CameraRow> camera_table();
+
+}  // namespace ballpit::ui

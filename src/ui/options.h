@@ -1,0 +1,50 @@
+// What a viewer may choose that is no physics: plain values that the panels show and commands carry.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "core/vector.h"
+
+namespace ballpit::ui {
+
+enum class BackendChoice : std::uint8_t { automatic, gpu, cpu };
+inline constexpr std::array<std::string_view, 3> backend_choice_names = {"auto", "gpu", "cpu"};
+
+enum class Look : std::uint8_t { model, impostor };
+enum class BallColour : std::uint8_t { tinted, plain, speed, cell };
+
+struct ViewOptions {
+    Look look = Look::model;
+    BallColour colour = BallColour::tinted;
+    bool box = true;
+    bool ground = true;
+    bool light = true;
+    bool occupancy = false;
+    bool timings = false;
+    bool panels = true;
+    bool help = false;
+
+    friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
+};
+
+struct LightOptions {
+    bool orbiting = true;
+    float angle = 0.0f;     // rad about z
+    float distance = 0.6f;  // of the box's half width
+    float height = 1.4f;    // of the box's largest half extent, above its centre
+    float speed = 0.25f;    // rad/s
+    vec3 colour{1.0f};      // as on screen (sRGB), 0 to 1
+    float brightness = 1.0f;
+    float ambient = 0.35f;
+
+    friend bool operator==(const LightOptions&, const LightOptions&) = default;
+};
+
+inline constexpr double slowest_time = 0.01;
+inline constexpr double fastest_time = 10.0;
+inline constexpr float smallest_text = 0.75f;
+inline constexpr float largest_text = 2.0f;
+
+}  // namespace ballpit::ui

@@ -1,0 +1,103 @@
+// The layout: numbers and sentences stacked at the top left, cells at the bottom left, controls at the right.
+#include "ui/panels.h"
+
+#include <algorithm>
+
+#include "ui/style.h"
+
+namespace ballpit::ui {
+
+namespace {
+
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                          ImGuiWindowFlags_NoNav;
+
+float margin() { return 0.6f * em(); }
+
+// Windows below one another at the left edge.
+class Stack {
+public:
+    template <class Content>
+    void window(const char* name, const Content& content) {
+        ImGui::SetNextWindowPos(ImVec2(margin(), y_));
+        ImGui::Begin(name, nullptr, fixed_window);
+        content();
+        y_ += ImGui::GetWindowHeight() + margin();
+        ImGui::End();
+    }
+    template <class Content>
+    void window(const char* name, const ImVec4& background, const Content& content) {
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, background);
+        window(name, content);
+        ImGui::PopStyleColor();
+    }
+
+private:
+    float y_ = margin();
+};
+
+void left_side(const State& state, Commands& commands) {
+    Stack stack;
+    if (state.view.panels) {
+        stack.window("frame rate", [&] { frame_rate_panel(state); });
+    }
+    // What went wrong stays on screen even when the panels are hidden.
+    if (!state.message.empty()) {
+        stack.window("message", notice_colour, [&] { message_panel(state, commands); });
+    }
+    if (has_failure(state)) {
+        stack.window("status", alarm_colour, [&] { status_panel(state, commands); });
+    }
+    if (state.view.panels && state.view.timings) {
+        stack.window("timings", [&] { timings_panel(state); });
+    }
+    if (state.view.panels && state.view.occupancy) {
+        const float bottom = ImGui::GetIO().DisplaySize.y - margin();
+        ImGui::SetNextWindowPos(ImVec2(margin(), bottom), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+        ImGui::Begin("occupancy", nullptr, fixed_window);
+        occupancy_panel(state);
+        ImGui::End();
+    }
+}
+
+void right_side(const State& state, Commands& commands) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float width = std::min(21.0f * em(), display.x - 2.0f * margin());
+    const float most = std::max(display.y - 2.0f * margin(), 4.0f * em());
+    ImGui::SetNextWindowPos(ImVec2(display.x - margin(), margin()), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, most));
+    ImGui::Begin("controls", nullptr, fixed_window);
+    scene_panel(state, commands);
+    run_panel(state, commands);
+    settings_panel(state, commands);
+    view_panel(state, commands);
+    light_panel(state, commands);
+    ImGui::End();
+}
+
+void help_window(const State& state, Commands& commands) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f),
+                                        ImVec2(display.x - 2.0f * margin(), display.y - 2.0f * margin()));
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin("help", nullptr, fixed_window);
+    help_page(state, commands);
+    ImGui::End();
+}
+
+}  // namespace
+
+void draw_panels(const State& state, Commands& commands) {
+    left_side(state, commands);
+    if (state.view.panels) {
+        right_side(state, commands);
+    }
+    if (state.view.help) {
+        help_window(state, commands);
+    }
+}
+
+}  // namespace ballpit::ui

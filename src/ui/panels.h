@@ -1,0 +1,29 @@
+// The panels. Each is a pure function: it reads the state, draws its content into the window that is open, and
+// appends what the user asks for. `draw_panels` lays them all out.
+#pragma once
+
+#include "ui/commands.h"
+#include "ui/state.h"
+
+namespace ballpit::ui {
+
+void scene_panel(const State& state, Commands& commands);
+void run_panel(const State& state, Commands& commands);
+void settings_panel(const State& state, Commands& commands);
+void view_panel(const State& state, Commands& commands);
+void light_panel(const State& state, Commands& commands);
+
+void frame_rate_panel(const State& state);
+void message_panel(const State& state, Commands& commands);
+void status_panel(const State& state, Commands& commands);
+void timings_panel(const State& state);
+void occupancy_panel(const State& state);
+void help_page(const State& state, Commands& commands);
+
+/// Every panel that the state shows, between ImGui::NewFrame() and ImGui::Render().
+void draw_panels(const State& state, Commands& commands);
+
+/// Whether there is a failure to show in red.
+inline bool has_failure(const State& state) { return state.status.bits != 0; }
+
+}  // namespace ballpit::ui

@@ -1,0 +1,73 @@
+// Everything that the panels read in a frame. The window fills it; the panels never change it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/features.h"
+#include "core/layout.h"
+#include "core/settings.h"
+#include "measure/occupancy.h"
+#include "ui/options.h"
+
+namespace ballpit::ui {
+
+struct SceneChoice {
+    std::string name;
+    std::string about;
+};
+
+/// A stage of the frame. Times are means over a quarter of a second, so that they can be read.
+struct TimingRow {
+    std::string_view name;
+    std::string_view per;  // what one time is for: "substep" or "frame"
+    vec3 colour{1.0f};     // sRGB
+    double now_ms = 0.0;
+    double median_ms = 0.0;
+    std::span<const float> history;  // ms, oldest first
+};
+
+struct State {
+    std::span<const SceneChoice> scenes;
+    std::size_t scene = 0;
+
+    bool running = false;
+    double time = 0.0;  // s since the start
+    std::uint64_t step_count = 0;
+    std::uint64_t seed = 0;
+    double speed = 1.0;     // simulated seconds a second, as asked for
+    double achieved = 0.0;  // the same, as it turned out; 0 while not running
+
+    Settings settings;
+    Settings defaults;  // the scene's own
+    Features features;
+    std::uint32_t most_balls = maximum_balls;  // what the scene can give
+    std::uint32_t overlapping = 0;             // balls that found no free place at the start
+
+    BackendChoice backend = BackendChoice::automatic;
+    bool gpu_usable = true;
+    std::string_view backend_name;  // of the one that computes: "gpu" or "cpu"
+    std::string_view device;
+
+    ViewOptions view;
+    LightOptions light;
+    float text_size = 1.0f;
+    bool full_screen = false;
+
+    double fps = 0.0;
+    double frame_ms = 0.0;
+    std::span<const TimingRow> timings;
+
+    Status status{};
+    bool has_grid = true;
+    double cell_width = 0.0;                        // m
+    const measure::Occupancy* occupancy = nullptr;  // null until the first copy has arrived
+    std::span<const vec3> count_colours;            // sRGB; index = balls in a cell, the last for all above
+
+    std::string_view message;  // empty: none
+    bool close_popups = false;
+};
+
+}  // namespace ballpit::ui

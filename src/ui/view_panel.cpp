@@ -1,0 +1,102 @@
+// What is drawn, and how large the text is.
+#include <array>
+
+#include "ui/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace ballpit::ui {
+
+namespace {
+
+constexpr std::array<const char*, 4> colour_names = {"a tint for each ball", "texture only", "speed", "grid cell"};
+
+bool look_row(ViewOptions& view) {
+    row_label("Look", "A model of triangles, or a sphere found by ray in each pixel: cheaper for many balls.");
+    bool changed = false;
+    if (ImGui::RadioButton("model", view.look == Look::model)) {
+        view.look = Look::model;
+        changed = true;
+    }
+    ImGui::SameLine();
+    if (ImGui::RadioButton("impostor", view.look == Look::impostor)) {
+        view.look = Look::impostor;
+        changed = true;
+    }
+    return changed;
+}
+
+bool colour_row(const State& state, ViewOptions& view) {
+    row_label("Colour", "What the colour of a ball tells.");
+    const auto chosen = static_cast<std::size_t>(view.colour);
+    if (!ImGui::BeginCombo("##colour", colour_names[chosen])) {
+        return false;
+    }
+    if (state.close_popups) {
+        ImGui::CloseCurrentPopup();
+    }
+    bool changed = false;
+    for (std::size_t i = 0; i < colour_names.size(); ++i) {
+        if (ImGui::Selectable(colour_names[i], i == chosen) && i != chosen) {
+            view.colour = static_cast<BallColour>(i);
+            changed = true;
+        }
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+bool toggles(ViewOptions& view) {
+    bool changed = false;
+    if (ImGui::BeginTable("toggles", 2, ImGuiTableFlags_SizingStretchSame)) {
+        const auto toggle = [&changed](const char* label, bool& value, std::string_view keys) {
+            ImGui::TableNextColumn();
+            changed |= key_checkbox(label, value, keys);
+        };
+        toggle("Box", view.box, "");
+        toggle("Occupancy", view.occupancy, key_hint(Action::toggle_occupancy));
+        toggle("Ground", view.ground, "");
+        toggle("Timings", view.timings, key_hint(Action::toggle_timings));
+        toggle("Light", view.light, "");
+        toggle("Help", view.help, key_hint(Action::toggle_help));
+        ImGui::EndTable();
+    }
+    return changed;
+}
+
+void text_size_row(const State& state, Commands& commands) {
+    row_label("Text size", "Text grows with the window; this makes it larger or smaller.");
+    float size = state.text_size;
+    // Only steps: every size needs its own font texture.
+    if (ImGui::SliderFloat("##text", &size, smallest_text, largest_text, "%.2f ×")) {
+        commands.push_back(ChangeTextSize{size});
+    }
+}
+
+}  // namespace
+
+void view_panel(const State& state, Commands& commands) {
+    if (!section("View", true)) {
+        return;
+    }
+    ViewOptions view = state.view;
+    bool changed = look_row(view);
+    changed |= colour_row(state, view);
+    changed |= toggles(view);
+    if (changed) {
+        commands.push_back(ChangeView{view});
+    }
+    const float half = column_width(2);
+    for (const Action action : {Action::camera_home, Action::full_screen}) {
+        const bool home = action == Action::camera_home;
+        if (key_button(home ? "Camera" : "Full screen", key_hint(action), half)) {
+            commands.push_back(action);
+        }
+        if (home) {
+            ImGui::SameLine();
+        }
+    }
+    text_size_row(state, commands);
+}
+
+}  // namespace ballpit::ui
