@@ -10,7 +10,7 @@ namespace {
 std::mutex mutex;                    // a driver may call from a thread of its own
 std::vector<std::string> messages;
 
-void APIENTRY on_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void*) {
+void GLAD_API_PTR on_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void*) {
     if (severity != GL_DEBUG_SEVERITY_HIGH) {
         return;
     }
