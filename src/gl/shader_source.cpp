@@ -74,7 +74,7 @@ ShaderSource load_shader(const fs::path& folder, const std::string& file, const 
     loader.append(file, "");
     loader.source.name = file;
     for (const std::string_view define : defines) {
-        loader.source.name += " " + std::string(define);
+        loader.source.name.append(" ").append(define);
     }
     return std::move(loader.source);
 }
