@@ -26,7 +26,7 @@ vec3 up(const Camera& camera);
 
 /// `metres` along the camera's right, forward, and the world's up.
 [[nodiscard]] Camera move(Camera camera, const vec3& metres);
-/// Turns right and down with the pointer: dragging over a whole picture height turns by about one picture height.
+/// Turns right and down with the pointer, 2 rad for a drag over the picture's height.
 [[nodiscard]] Camera look(Camera camera, const vec2& drag);
 /// Moves in the picture's plane; what is as far away as the box's centre stays under the pointer.
 [[nodiscard]] Camera pan(Camera camera, const vec2& drag, const vec3& half_extent);

@@ -1,0 +1,13 @@
+#version 330 core
+#include "shared/frame.glsl"
+#include "shared/lighting.glsl"
+#include "shared/ball_surface.glsl"
+
+in vec3 place;
+in vec3 normal;
+in vec2 uv;
+flat in vec4 tint;
+
+layout(location = 0) out vec4 colour;
+
+void main() { colour = vec4(ball_colour(texture(surface, uv).rgb, tint, place, normalize(normal)), 1.0); }

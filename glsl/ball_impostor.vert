@@ -1,0 +1,37 @@
+#version 330 core
+// One square a ball. It stands in the plane through the centre that faces the eye, just large enough to hold the
+// cone of all rays from the eye that touch the sphere.
+#include "shared/frame.glsl"
+#include "shared/ball.glsl"
+
+layout(location = 0) in vec2 corner;     // -1 or 1
+layout(location = 3) in vec4 ball;       // centre, radius
+layout(location = 4) in vec4 velocity;   // velocity, mass
+
+out vec3 ray;                            // from the eye to the square
+flat out vec4 sphere;
+flat out vec4 tint;
+flat out vec4 turn;
+flat out float texel_scale;              // texture heights a pixel, at the ball's middle
+
+const float pi = 3.14159265;
+
+void main() {
+    vec3 axis = ball.xyz - frame.eye;
+    float squared = dot(axis, axis) - ball.w * ball.w;
+    if (!is_finite(ball) || squared <= 0.0) {   // no silhouette from within
+        gl_Position = nowhere;
+        return;
+    }
+    float size = ball.w * length(axis) * inversesqrt(squared);
+    vec3 ahead = normalize(axis);
+    vec3 side = normalize(frame.camera_right - dot(frame.camera_right, ahead) * ahead);
+    vec3 place = ball.xyz + size * (corner.x * side + corner.y * cross(side, ahead));
+    uint id = uint(gl_InstanceID);
+    ray = place - frame.eye;
+    sphere = ball;
+    tint = ball_tint(id, ball.xyz, velocity.xyz);
+    turn = ball_turn(id);
+    texel_scale = length(axis) / (pi * ball.w * frame.pixels_per_radian);
+    gl_Position = frame.view_projection * vec4(place, 1.0);
+}

@@ -1,0 +1,34 @@
+#version 330 core
+#include "shared/frame.glsl"
+#include "shared/lighting.glsl"
+#include "shared/background.glsl"
+
+in vec3 place;
+
+layout(location = 0) out vec4 colour;
+
+const float margin = 0.6;
+
+// 1 on a line through the multiples of `spacing`, blended to its share of the area where lines are too dense.
+float lines(vec2 at, float spacing, float pixels) {
+    vec2 u = at / spacing;
+    vec2 width = fwidth(u);
+    vec2 away = abs(fract(u - 0.5) - 0.5);
+    vec2 cover = 1.0 - smoothstep(0.0, 1.0, away / max(width * pixels, 1e-6));
+    cover *= 1.0 - smoothstep(0.15, 0.45, width);
+    return max(cover.x, cover.y);
+}
+
+void main() {
+    float around = margin * max(frame.half_extent.x, frame.half_extent.y);
+    vec2 outside = max(abs(place.xy) - frame.half_extent.xy, 0.0) / around;
+    float presence = 1.0 - smoothstep(0.0, 1.0, length(outside));
+    vec3 albedo = vec3(0.085, 0.10, 0.125);
+    vec2 from_corner = place.xy + frame.half_extent.xy;
+    float line = max(0.35 * lines(from_corner, frame.ground_spacing, 1.0),
+                     0.8 * lines(from_corner, 5.0 * frame.ground_spacing, 1.3));
+    albedo = mix(albedo, vec3(0.30, 0.34, 0.40), line);
+    vec3 surface = srgb(lit(albedo, vec3(0.0), 1.0, place, vec3(0.0, 0.0, 1.0)));
+    float inside = outside == vec2(0.0) ? 1.0 : 0.55;
+    colour = vec4(mix(background(gl_FragCoord.y / frame.picture_size.y), surface, inside * presence), 1.0);
+}

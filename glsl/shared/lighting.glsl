@@ -1,0 +1,27 @@
+// How surfaces answer the light: Lambert and Blinn-Phong from the point light, and light from everywhere, a little
+// bluer and stronger from above. Needs shared/frame.glsl.
+
+// Light that arrives at `place`: falls with distance as from a lamp of some size, never to nothing, so that a corner
+// far from the light can still be read.
+vec3 arriving_light(vec3 place) {
+    float ratio = distance(place, frame.light_position) / frame.light_distance;
+    return frame.light_colour * (2.0 / (1.0 + ratio * ratio));
+}
+
+vec3 ambient_light(vec3 normal) {
+    float sky = 0.5 + 0.5 * normal.z;
+    return frame.ambient * mix(vec3(0.32, 0.30, 0.30), vec3(0.95, 1.0, 1.08), sky);
+}
+
+vec3 lit(vec3 albedo, vec3 specular, float shininess, vec3 place, vec3 normal) {
+    vec3 to_light = normalize(frame.light_position - place);
+    vec3 to_eye = normalize(frame.eye - place);
+    vec3 light = arriving_light(place);
+    float facing = max(dot(normal, to_light), 0.0);
+    vec3 colour = albedo * (ambient_light(normal) + light * facing);
+    if (facing > 0.0) {
+        float glance = max(dot(normal, normalize(to_light + to_eye)), 0.0);
+        colour += specular * light * pow(glance, shininess);
+    }
+    return colour;
+}

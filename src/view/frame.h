@@ -1,0 +1,34 @@
+// C++ face of glsl/shared/frame.h: the uniform block of the drawing shaders, and how a picture fills it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "view/picture.h"
+
+namespace ballpit::view::layout {
+
+using uint = std::uint32_t;
+using glm::mat4;
+using glm::uvec3;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+#include "shared/frame.h"
+
+static_assert(offsetof(FrameParams, eye) == 64 && offsetof(FrameParams, grid_cells) == 144 &&
+              offsetof(FrameParams, picture_size) == 192 && offsetof(FrameParams, sequential) == 208 &&
+              sizeof(FrameParams) == 208 + 16 * (SEQUENTIAL_COLOURS + CATEGORICAL_COLOURS));
+
+}  // namespace ballpit::view::layout
+
+namespace ballpit::view {
+
+layout::FrameParams make_frame(const Picture& picture);
+
+/// m between the lines of the ground: 1 m, or a round number that keeps a large or tiny box readable.
+float ground_spacing(const vec3& half_extent);
+
+}  // namespace ballpit::view

@@ -1,0 +1,21 @@
+#include "view/view_program.h"
+
+#include <array>
+
+#include "view/frame.h"
+
+namespace ballpit::view {
+
+gl::Program load_view_program(const std::filesystem::path& shader_folder, const std::string& stem) {
+    const std::array<gl::ShaderStage, 2> stages = {
+        gl::ShaderStage{GL_VERTEX_SHADER, gl::load_shader(shader_folder, stem + ".vert")},
+        gl::ShaderStage{GL_FRAGMENT_SHADER, gl::load_shader(shader_folder, stem + ".frag")}};
+    gl::Program program(stages);
+    const GLuint block = glGetUniformBlockIndex(program.id(), "Frame");
+    if (block != GL_INVALID_INDEX) {
+        glUniformBlockBinding(program.id(), block, BLOCK_FRAME);
+    }
+    return program;
+}
+
+}  // namespace ballpit::view

@@ -1,0 +1,14 @@
+// Programs of the drawing shaders.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "gl/program.h"
+
+namespace ballpit::view {
+
+/// <stem>.vert and <stem>.frag of the folder, linked, with the frame block at its place. Throws gl::ShaderError.
+gl::Program load_view_program(const std::filesystem::path& shader_folder, const std::string& stem);
+
+}  // namespace ballpit::view
