@@ -8,5 +8,5 @@ uniform uvec4 dispatch_constants;
 
 // Beyond 65535 groups a dispatch is folded into two dimensions: rows of groups, one after the other.
 uint global_index() {
-    return gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x;
+    return gl_GlobalInvocationID.y * gl_NumWorkGroups.x * GROUP_SIZE + gl_GlobalInvocationID.x;
 }

@@ -1,0 +1,79 @@
+// `ballpit check`: every dispatch on the GPU against the mirror.
+#include <iomanip>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/report.h"
+#include "app/setup.h"
+#include "cpu/cpu_backend.h"
+#include "measure/check.h"
+
+namespace ballpit::app {
+
+namespace {
+
+Json report_json(const measure::CheckReport& report, const Simulation& simulation) {
+    Json json{{"scene", simulation.scene().name}, {"seed", simulation.seed()}};
+    json.update(device_json(simulation.backend()));
+    json["balls"] = simulation.schedule().ball_count;
+    json["steps"] = report.steps;
+    json["substeps"] = report.substeps;
+    json["dispatches"] = report.dispatches;
+    json["passed"] = report.passed();
+    json["rows"] = Json::array();
+    for (const measure::CheckRow& row : report.rows) {
+        json["rows"].push_back({{"stage", std::string(stage_name(row.stage))},
+                                {"slot", std::string(slot_name(row.slot))},
+                                {"elements", row.elements},
+                                {"differing", row.differing},
+                                {"beyond_bound", row.beyond_bound},
+                                {"max_ulp", row.max_ulp},
+                                {"max_error", row.max_error},
+                                {"first", row.first}});
+    }
+    json["violation_count"] = report.violation_count;
+    json["violations"] = report.violations;
+    return json;
+}
+
+void print(const measure::CheckReport& report, const Simulation& simulation) {
+    std::cout << simulation.scene().name << ": " << simulation.schedule().ball_count << " balls, " << report.steps
+              << " steps, " << report.dispatches << " dispatches on " << simulation.backend().device()
+              << " against the mirror\n"
+              << std::left << std::setw(15) << "stage" << std::setw(17) << "writes" << std::right << std::setw(14)
+              << "elements" << std::setw(11) << "differ" << std::setw(14) << "beyond bound" << std::setw(9) << "max ULP"
+              << "\n";
+    for (const measure::CheckRow& row : report.rows) {
+        std::cout << std::left << std::setw(15) << stage_name(row.stage) << std::setw(17) << slot_name(row.slot)
+                  << std::right << std::setw(14) << row.elements << std::setw(11) << row.differing << std::setw(14)
+                  << row.beyond_bound << std::setw(9) << row.max_ulp << "\n";
+    }
+    for (const measure::CheckRow& row : report.rows) {
+        if (!row.first.empty()) {
+            std::cout << "first difference in " << slot_name(row.slot) << ": " << row.first << "\n";
+        }
+    }
+    for (const std::string& violation : report.violations) {
+        std::cout << "invariant broken: " << violation << "\n";
+    }
+    std::cout << (report.passed() ? "passed\n" : "FAILED\n");
+}
+
+}  // namespace
+
+int run_check(const Options& options) {
+    constexpr std::uint64_t default_steps = 10;
+    const Setup setup = make_setup(options);
+    // Checking the mirror against itself would prove nothing: auto means the GPU here.
+    Device device = open_device(options.backend == "auto" ? "gpu" : options.backend, setup.paths.shaders, false);
+    Simulation simulation = make_simulation(setup, device);
+    cpu::CpuBackend<float> mirror;
+    const measure::CheckReport report = measure::check(simulation, mirror, options.steps.value_or(default_steps));
+    if (options.json != "-") {
+        print(report, simulation);
+    }
+    write_report(options.json, report_json(report, simulation).dump(2) + "\n");
+    return report.passed() ? 0 : 1;
+}
+
+}  // namespace ballpit::app

@@ -1,0 +1,14 @@
+// The commands of the command line that open no window. Each prints its result and gives the exit code.
+#pragma once
+
+#include "app/options.h"
+
+namespace ballpit::app {
+
+int run_headless(const Options& options);
+int run_check(const Options& options);
+int run_bench(const Options& options);
+int run_scenes();
+int run_settings();
+
+}  // namespace ballpit::app

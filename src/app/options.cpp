@@ -1,0 +1,119 @@
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+
+#include "core/error.h"
+
+namespace ballpit::app {
+
+namespace {
+
+void add_scene_options(CLI::App& app, Options& options) {
+    app.add_option("--scene", options.scene, "Scene of the gallery by name, or a scene file")->capture_default_str();
+    app.add_option("--backend", options.backend, "What computes: auto, gpu or cpu")
+        ->check(CLI::IsMember({"auto", "gpu", "cpu"}))
+        ->capture_default_str();
+    app.add_option("--set", options.set, "KEY=VALUE: a setting of `ballpit settings`; may be repeated")
+        ->take_all()
+        ->expected(1);
+    app.add_option("--seed", options.seed, "Seed of the random fill, instead of the scene's");
+}
+
+void add_model_option(CLI::App& app, Options& options) {
+    app.add_option("--model", options.model, "OBJ file that is drawn for a ball, instead of the one of the assets");
+}
+
+// "1280x720"
+std::string parse_size(const std::string& text, Options& options) {
+    const char* end = text.data() + text.size();
+    const auto [x, error] = std::from_chars(text.data(), end, options.width);
+    if (error == std::errc{} && x != end && *x == 'x') {
+        const auto [stop, second] = std::from_chars(x + 1, end, options.height);
+        if (second == std::errc{} && stop == end && options.width > 0 && options.height > 0) {
+            return {};
+        }
+    }
+    return "expected WIDTHxHEIGHT such as 1280x720";
+}
+
+CLI::App* add_headless(CLI::App& app, Options& options) {
+    CLI::App* headless = app.add_subcommand("headless", "Simulate without a window, and report");
+    add_scene_options(*headless, options);
+    add_model_option(*headless, options);
+    auto* steps = headless->add_option("--steps", options.steps, "Steps to run (default 600)");
+    headless->add_option("--seconds", options.seconds, "Simulated seconds to run, instead of --steps")
+        ->check(CLI::NonNegativeNumber)
+        ->excludes(steps);
+    headless->add_option("--state-out", options.state_out, "CSV of the final state, one row a ball");
+    headless->add_option("--trace", options.trace, "CSV with one row a step: energies, momentum, overlap, contacts");
+    headless->add_option("--screenshot", options.screenshot, "PNG of the final state");
+    headless->add_option_function<std::string>(
+        "--size",
+        [&options](const std::string& text) {
+            if (const std::string problem = parse_size(text, options); !problem.empty()) {
+                throw CLI::ValidationError("--size", problem);
+            }
+        },
+        "Size of the screenshot, such as 1280x720");
+    headless->add_option("--look", options.look, "How balls are drawn: model or impostor")
+        ->check(CLI::IsMember({"model", "impostor"}))
+        ->capture_default_str();
+    headless->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
+    return headless;
+}
+
+CLI::App* add_check(CLI::App& app, Options& options) {
+    CLI::App* check = app.add_subcommand("check", "Every dispatch on the GPU against the mirror; exit code 1 on a difference");
+    add_scene_options(*check, options);
+    check->add_option("--steps", options.steps, "Steps to check (default 10)");
+    check->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
+    return check;
+}
+
+CLI::App* add_bench(CLI::App& app, Options& options) {
+    CLI::App* bench = app.add_subcommand("bench", "Milliseconds per stage");
+    add_scene_options(*bench, options);
+    bench->add_option("--balls", options.balls, "Ball counts, such as 1000,5000,20000")->delimiter(',');
+    bench->add_option("--substeps", options.substeps, "Substeps a step, such as 1,8")->delimiter(',');
+    bench->add_option("--sort", options.sort, "Sorts to compare, such as bitonic,bitonic_fused")->delimiter(',');
+    bench->add_option("--steps", options.steps, "Timed steps a row, after as many for warm-up (default 20)");
+    bench->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
+    bench->add_option("--csv", options.csv, "Report as CSV to a file, or - for standard output");
+    return bench;
+}
+
+}  // namespace
+
+std::optional<Options> parse_options(int argc, const char* const* argv) {
+    Options options;
+    CLI::App app("Ball Pit: balls collide in a box, every physics stage a compute shader to step through.", "ballpit");
+    app.set_version_flag("--version", BALLPIT_VERSION);
+    app.require_subcommand(0, 1);
+    add_scene_options(app, options);
+    add_model_option(app, options);
+    const std::vector<std::pair<CLI::App*, Command>> commands = {
+        {add_headless(app, options), Command::headless},
+        {add_check(app, options), Command::check},
+        {add_bench(app, options), Command::bench},
+        {app.add_subcommand("scenes", "List the scenes"), Command::scenes},
+        {app.add_subcommand("settings", "List the settings: unit, range, default"), Command::settings},
+    };
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {   // --help, --version
+        app.exit(asked, std::cout, std::cerr);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(std::string(error.what()) + "; see `ballpit --help`");
+    }
+    for (const auto& [subcommand, command] : commands) {
+        if (subcommand->parsed()) {
+            options.command = command;
+        }
+    }
+    return options;
+}
+
+}  // namespace ballpit::app

@@ -1,0 +1,47 @@
+// The command line, parsed. docs: design contract in README.md, `ballpit --help`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ballpit::app {
+
+enum class Command { window, headless, check, bench, scenes, settings };
+
+struct Options {
+    Command command = Command::window;
+
+    // What to simulate.
+    std::string scene = "rain";
+    std::string backend = "auto";             // auto, gpu, cpu
+    std::vector<std::string> set;             // KEY=VALUE
+    std::optional<std::uint64_t> seed;
+    std::string model;                        // OBJ file, empty: the ball of the assets
+
+    // headless, check
+    std::optional<std::uint64_t> steps;
+    std::optional<double> seconds;            // simulated
+    std::string state_out;
+    std::string trace;
+    std::string screenshot;
+    int width = 1280;
+    int height = 720;
+    std::string look = "model";               // model, impostor
+
+    // bench
+    std::vector<std::uint32_t> balls;
+    std::vector<std::uint32_t> substeps;
+    std::vector<std::string> sort;
+
+    // reports; "-" is standard output
+    std::string json;
+    std::string csv;
+};
+
+/// Throws InputError for a command line that cannot be understood. Gives nothing where --help or --version was asked
+/// for and has been printed.
+std::optional<Options> parse_options(int argc, const char* const* argv);
+
+}  // namespace ballpit::app
