@@ -17,7 +17,7 @@ endif()
 
 if(BALLPIT_SANITIZE)
   target_compile_options(ballpit_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                   -fno-omit-frame-pointer)
+                                                   -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)
   target_link_options(ballpit_options INTERFACE -fsanitize=address,undefined)
 endif()
 if(BALLPIT_STATIC_RUNTIME)
