@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t largest_file = 64u << 20;
 // What single precision can still compute with: beyond these, forces overflow or positions stand still.
-constexpr double smallest_length = 1e-4;   // m
+constexpr double smallest_length = 1e-3;   // m
 constexpr double largest_length = 1e4;     // m
 constexpr double largest_speed = 1e6;      // m/s
 constexpr double smallest_mass = 1e-9;     // kg

@@ -53,7 +53,7 @@ struct Builder {
             return;
         }
         const std::uint32_t tile = std::min<std::uint32_t>(SORT_TILE_SIZE, schedule.key_count);
-        fused(2, tile, tile / 2);
+        fused(2, tile, 1);
         for (std::uint32_t k = 2 * tile; k <= schedule.key_count && k != 0; k *= 2) {
             std::uint32_t j = k / 2;
             for (; j >= tile; j /= 2) {

@@ -143,7 +143,11 @@ World make_world(const Scene& scene, std::uint32_t count, std::uint64_t seed) {
     }
     const dvec3 lower = scene.fill->region[0] * scale;
     const dvec3 upper = scene.fill->region[1] * scale;
-    PlacedBalls placed(lower, upper, 2.0 * scene.fill->radius[1], count);
+    double largest_radius = scene.fill->radius[1];
+    for (const BallSpec& spec : scene.balls) {
+        largest_radius = std::max(largest_radius, spec.radius);
+    }
+    PlacedBalls placed(lower, upper, 2.0 * largest_radius, count);
     for (std::uint32_t i = 0; i < count; ++i) {
         if (i >= listed) {
             add_ball(world.balls, fill_ball(*scene.fill, lower, upper, placed, world.balls, seed, world.overlapping),
