@@ -29,6 +29,7 @@ Json report_json(const measure::CheckReport& report, const Simulation& simulatio
                                 {"beyond_bound", row.beyond_bound},
                                 {"max_ulp", row.max_ulp},
                                 {"max_error", row.max_error},
+                                {"of_bound", row.of_bound},
                                 {"first", row.first}});
     }
     json["violation_count"] = report.violation_count;
@@ -41,12 +42,13 @@ void print(const measure::CheckReport& report, const Simulation& simulation) {
               << " steps, " << report.dispatches << " dispatches on " << simulation.backend().device()
               << " against the mirror\n"
               << std::left << std::setw(15) << "stage" << std::setw(17) << "writes" << std::right << std::setw(14)
-              << "elements" << std::setw(11) << "differ" << std::setw(14) << "beyond bound" << std::setw(9) << "max ULP"
-              << "\n";
+              << "elements" << std::setw(11) << "differ" << std::setw(14) << "beyond bound" << std::setw(12) << "max error"
+              << std::setw(10) << "of bound" << "\n";
     for (const measure::CheckRow& row : report.rows) {
         std::cout << std::left << std::setw(15) << stage_name(row.stage) << std::setw(17) << slot_name(row.slot)
                   << std::right << std::setw(14) << row.elements << std::setw(11) << row.differing << std::setw(14)
-                  << row.beyond_bound << std::setw(9) << row.max_ulp << "\n";
+                  << row.beyond_bound << std::setw(12) << std::setprecision(3) << row.max_error << std::setw(9)
+                  << std::setprecision(2) << 100.0 * row.of_bound << "%\n";
     }
     for (const measure::CheckRow& row : report.rows) {
         if (!row.first.empty()) {

@@ -76,6 +76,7 @@ private:
         row.beyond_bound += difference.beyond_bound;
         row.max_ulp = std::max(row.max_ulp, difference.max_ulp);
         row.max_error = std::max(row.max_error, difference.max_error);
+        row.of_bound = std::max(row.of_bound, difference.of_bound);
     }
 
     CheckRow& row_of(Stage stage, Slot slot) {

@@ -20,6 +20,7 @@ struct CheckRow {
     std::uint64_t beyond_bound = 0;
     std::uint64_t max_ulp = 0;
     double max_error = 0.0;
+    double of_bound = 0.0;        // comparison.h
     std::string first;            // "substep 3, bitonic_sort k=8 j=2, slot 12: GPU (…), CPU (…)"
 };
 

@@ -107,6 +107,7 @@ Comparison compare_slot(Slot slot, std::span<const std::byte> gpu, std::span<con
         if (form.floats) {
             const double error = distance(in_a, in_b, form.words);
             beyond = !(i < bounds.size() && error <= bounds[i]);
+            result.of_bound = beyond ? result.of_bound : std::max(result.of_bound, error / bounds[i]);
             result.max_error = std::max(result.max_error, error);
             for (std::size_t w = 0; w < form.words; ++w) {
                 result.max_ulp = std::max(result.max_ulp, ulp_distance(std::bit_cast<float>(in_a[w]), std::bit_cast<float>(in_b[w])));
