@@ -7,7 +7,7 @@ in vec3 place;
 
 layout(location = 0) out vec4 colour;
 
-const float margin = 0.6;
+const float margin = 1.0;
 
 // 1 on a line through the multiples of `spacing`, blended to its share of the area where lines are too dense.
 float lines(vec2 at, float spacing, float pixels) {
@@ -23,12 +23,12 @@ void main() {
     float around = margin * max(frame.half_extent.x, frame.half_extent.y);
     vec2 outside = max(abs(place.xy) - frame.half_extent.xy, 0.0) / around;
     float presence = 1.0 - smoothstep(0.0, 1.0, length(outside));
-    vec3 albedo = vec3(0.085, 0.10, 0.125);
+    vec3 albedo = vec3(0.11, 0.13, 0.16);
     vec2 from_corner = place.xy + frame.half_extent.xy;
     float line = max(0.35 * lines(from_corner, frame.ground_spacing, 1.0),
                      0.8 * lines(from_corner, 5.0 * frame.ground_spacing, 1.3));
-    albedo = mix(albedo, vec3(0.30, 0.34, 0.40), line);
+    albedo = mix(albedo, vec3(0.36, 0.41, 0.48), line);
     vec3 surface = srgb(lit(albedo, vec3(0.0), 1.0, place, vec3(0.0, 0.0, 1.0)));
-    float inside = outside == vec2(0.0) ? 1.0 : 0.55;
+    float inside = outside == vec2(0.0) ? 1.0 : 0.7;
     colour = vec4(mix(background(gl_FragCoord.y / frame.picture_size.y), surface, inside * presence), 1.0);
 }

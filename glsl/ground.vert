@@ -4,7 +4,7 @@
 
 out vec3 place;
 
-const float margin = 0.6;                // of the box, around it
+const float margin = 1.0;                // of the box, around it
 
 void main() {
     vec2 corner = vec2((gl_VertexID & 1) != 0 ? 1.0 : -1.0, (gl_VertexID & 2) != 0 ? 1.0 : -1.0);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes ball.obj, ball.mtl and ball.png beside this script: a beach ball of unit radius.
+"""Makes ball.obj, ball_coarse.obj, ball.mtl and ball.png beside this script: a beach ball of unit radius.
 
 Only the standard library is needed. Run it again after a change here; the results are committed so that nobody
 has to.
@@ -11,49 +11,51 @@ import zlib
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 
-# Triangles are dear where a CPU draws them: 5000 balls of this many still make a usable frame rate there.
-MERIDIANS = 16
-PARALLELS = 10          # bands from pole to pole
+# Meridians and bands from pole to pole. The coarse one is for balls of a few pixels: where a CPU draws, thousands of
+# balls are as dear as their triangles are many.
+FINE = (24, 14)
+COARSE = (10, 6)
 
 WIDTH, HEIGHT = 256, 128
 STRIPES = 6
 CAP = 0.085             # of the way from pole to pole
 SAMPLES = 4             # a side, for smooth edges
-WHITE = (250, 250, 247)
-# Told apart by lightness too, which every eye sees.
-BRIGHT = (250, 250, 247)
-DARK = (92, 96, 104)
-LINE = (58, 60, 66)
+# Told apart by lightness, which every eye sees; the program tints what is not white.
+BRIGHT = (252, 252, 250)
+DARK = (190, 190, 190)
+LINE = (70, 72, 78)
 
 
-def write_obj(path):
+def write_obj(path, meridians, bands):
+    """Positions and normals are shared around the ball, so that it is closed; texture coordinates have a seam."""
     lines = ["# Made by make_ball.py", "mtllib ball.mtl", "o ball"]
-    for j in range(PARALLELS + 1):
-        for i in range(MERIDIANS + 1):
-            u, v = i / MERIDIANS, j / PARALLELS
-            longitude, polar = 2 * math.pi * u, math.pi * v
-            x = math.sin(polar) * math.cos(longitude)
-            y = math.sin(polar) * math.sin(longitude)
-            z = math.cos(polar)
-            if j in (0, PARALLELS):
-                u = (i + 0.5) / MERIDIANS       # the middle of the one triangle that uses this pole vertex
-            lines.append(f"v {x:.6f} {y:.6f} {z:.6f}")
-            lines.append(f"vt {u:.6f} {1 - v:.6f}")
-            lines.append(f"vn {x:.6f} {y:.6f} {z:.6f}")
+    points = [(0.0, 0.0, 1.0)]
+    for j in range(1, bands):
+        polar = math.pi * j / bands
+        for i in range(meridians):
+            longitude = 2 * math.pi * i / meridians
+            points.append((math.sin(polar) * math.cos(longitude), math.sin(polar) * math.sin(longitude), math.cos(polar)))
+    points.append((0.0, 0.0, -1.0))
+    lines += [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in points]
+    for j in range(bands + 1):
+        # A pole is a corner of one triangle a meridian: each gets the middle of its own.
+        shift = 0.5 if j in (0, bands) else 0.0
+        lines += [f"vt {(i + shift) / meridians:.6f} {1 - j / bands:.6f}" for i in range(meridians + 1)]
+    lines += [f"vn {x:.6f} {y:.6f} {z:.6f}" for x, y, z in points]
     lines.append("usemtl ball")
-    for j in range(PARALLELS):
-        for i in range(MERIDIANS):
-            a = j * (MERIDIANS + 1) + i + 1     # OBJ counts from 1
-            b = a + MERIDIANS + 1               # one band further down
+
+    def corner(i, j):
+        point = 1 if j == 0 else len(points) if j == bands else 2 + (j - 1) * meridians + i % meridians
+        return f"{point}/{j * (meridians + 1) + i + 1}/{point}"     # OBJ counts from 1
+
+    for j in range(bands):
+        for i in range(meridians):
             if j > 0:
-                lines.append(face(a, b, a + 1))
-            if j < PARALLELS - 1:
-                lines.append(face(a + 1, b, b + 1))
+                lines.append(f"f {corner(i, j)} {corner(i, j + 1)} {corner(i + 1, j)}")
+            if j < bands - 1:
+                # At the upper pole the corner of this very triangle.
+                lines.append(f"f {corner(i if j == 0 else i + 1, j)} {corner(i, j + 1)} {corner(i + 1, j + 1)}")
     path.write_text("\n".join(lines) + "\n")
-
-
-def face(*vertices):
-    return "f " + " ".join(f"{v}/{v}/{v}" for v in vertices)
 
 
 def write_mtl(path):
@@ -90,6 +92,7 @@ def write_png(path):
 
 
 if __name__ == "__main__":
-    write_obj(FOLDER / "ball.obj")
+    write_obj(FOLDER / "ball.obj", *FINE)
+    write_obj(FOLDER / "ball_coarse.obj", *COARSE)
     write_mtl(FOLDER / "ball.mtl")
     write_png(FOLDER / "ball.png")

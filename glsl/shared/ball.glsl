@@ -21,7 +21,7 @@ vec4 ball_turn(uint ball) {
 
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
-// Colour that the texture is multiplied with; w: how far the texture keeps only its lightness.
+// Colour for ball_surface.glsl; w: 1 where it tells a quantity, 0 for a hint that tells neighbours apart.
 vec4 ball_tint(uint ball, vec3 centre, vec3 velocity) {
     if (frame.ball_colour == COLOUR_SPEED) {
         return vec4(sequential_colour(length(velocity) / frame.top_speed), 1.0);
@@ -32,7 +32,7 @@ vec4 ball_tint(uint ball, vec3 centre, vec3 velocity) {
         return vec4(frame.categorical[scrambled(id) % uint(CATEGORICAL_COLOURS)].rgb, 1.0);
     }
     if (frame.ball_colour == COLOUR_TINTED) {
-        return vec4(mix(vec3(1.0), frame.categorical[ball % uint(CATEGORICAL_COLOURS)].rgb, 0.75), 0.0);
+        return vec4(frame.categorical[ball % uint(CATEGORICAL_COLOURS)].rgb, 0.0);
     }
     return vec4(1.0, 1.0, 1.0, 0.0);
 }

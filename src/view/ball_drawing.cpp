@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "view/view_program.h"
 
@@ -15,6 +17,7 @@ namespace {
 enum Location : GLuint { at_vertex, at_normal, at_uv, at_ball, at_velocity };
 
 constexpr GLint square_corners = 4;
+constexpr float coarse_below = 32.0f;  // pixels across
 
 template <class T>
 gl::Buffer static_buffer(std::string_view label, std::span<const T> elements) {
@@ -50,19 +53,38 @@ BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model
 }
 
 void BallDrawing::set_model(const Model& model) {
+    std::vector<Mesh> meshes;
+    meshes.push_back(make_mesh(model));
+    for (const Model& coarser : model.coarser) {
+        meshes.push_back(make_mesh(coarser));
+    }
+    meshes_ = std::move(meshes);
+}
+
+BallDrawing::Mesh BallDrawing::make_mesh(const Model& model) {
     assert(!model.parts.empty() && !model.indices.empty());
-    vertices_ = static_buffer("ball model vertices", std::span(model.vertices));
-    model_array_.floats(at_vertex, vertices_, 3, sizeof(Vertex), offsetof(Vertex, position));
-    model_array_.floats(at_normal, vertices_, 3, sizeof(Vertex), offsetof(Vertex, normal));
-    model_array_.floats(at_uv, vertices_, 2, sizeof(Vertex), offsetof(Vertex, uv));
-    indices_ = static_buffer("ball model indices", std::span(model.indices));
-    model_array_.indices(indices_);
-    surfaces_.clear();
+    Mesh mesh;
+    mesh.closed = model.closed;
+    mesh.vertices = static_buffer("ball model vertices", std::span(model.vertices));
+    mesh.array.floats(at_vertex, mesh.vertices, 3, sizeof(Vertex), offsetof(Vertex, position));
+    mesh.array.floats(at_normal, mesh.vertices, 3, sizeof(Vertex), offsetof(Vertex, normal));
+    mesh.array.floats(at_uv, mesh.vertices, 2, sizeof(Vertex), offsetof(Vertex, uv));
+    mesh.indices = static_buffer("ball model indices", std::span(model.indices));
+    mesh.array.indices(mesh.indices);
     for (const Part& part : model.parts) {
         const Material& material = part.material;
-        surfaces_.push_back({static_cast<GLsizei>(part.index_count), part.first_index, material.diffuse,
-                             material.specular, material.shininess, make_texture(material.texture)});
+        mesh.surfaces.push_back({static_cast<GLsizei>(part.index_count), part.first_index, material.diffuse,
+                                 material.specular, material.shininess, make_texture(material.texture)});
     }
+    return mesh;
+}
+
+// By the size in the picture of the largest balls, which a cell is made to hold.
+BallDrawing::Mesh& BallDrawing::mesh_for(const Picture& picture) {
+    const Camera& camera = picture.camera;
+    const float pixels_per_radian = 0.5f * static_cast<float>(picture.height) / std::tan(0.5f * camera.field_of_view);
+    const float across = static_cast<float>(picture.grid.cell_width) * pixels_per_radian;
+    return across < coarse_below * glm::length(camera.position) ? meshes_.back() : meshes_.front();
 }
 
 void BallDrawing::use_surface(const gl::Program& program, const Surface& surface) const {
@@ -80,7 +102,6 @@ void BallDrawing::draw_shadows(const Picture& picture) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glDepthMask(GL_FALSE);
-    glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, square_corners, static_cast<GLsizei>(picture.ball_count));
     glDisable(GL_BLEND);
@@ -93,22 +114,22 @@ void BallDrawing::draw_balls(const Picture& picture) {
     if (picture.look == Look::impostor) {
         point_at_balls(square_array_, picture);
         impostor_program_.use();
-        use_surface(impostor_program_, surfaces_.front());
+        use_surface(impostor_program_, meshes_.front().surfaces.front());
         square_array_.bind();
-        glDisable(GL_CULL_FACE);
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, square_corners, balls);
         return;
     }
-    point_at_balls(model_array_, picture);
+    Mesh& mesh = mesh_for(picture);
+    point_at_balls(mesh.array, picture);
     model_program_.use();
-    model_array_.bind();
-    // A model of the user's may be an open surface or wound either way: both sides are drawn.
-    glDisable(GL_CULL_FACE);
-    for (const Surface& surface : surfaces_) {
+    mesh.array.bind();
+    (mesh.closed ? glEnable : glDisable)(GL_CULL_FACE);
+    for (const Surface& surface : mesh.surfaces) {
         use_surface(model_program_, surface);
         glDrawElementsInstanced(GL_TRIANGLES, surface.index_count, GL_UNSIGNED_INT,
                                 reinterpret_cast<const void*>(surface.first_index * sizeof(std::uint32_t)), balls);
     }
+    glDisable(GL_CULL_FACE);
 }
 
 }  // namespace ballpit::view

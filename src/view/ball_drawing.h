@@ -33,17 +33,24 @@ private:
         gl::Texture texture;
     };
 
+    struct Mesh {
+        gl::VertexArray array;
+        gl::Buffer vertices;
+        gl::Buffer indices;
+        std::vector<Surface> surfaces;
+        bool closed = false;
+    };
+
+    static Mesh make_mesh(const Model& model);
+    Mesh& mesh_for(const Picture& picture);
     void use_surface(const gl::Program& program, const Surface& surface) const;
 
     gl::Program model_program_;
     gl::Program impostor_program_;
     gl::Program shadow_program_;
-    gl::VertexArray model_array_;
+    std::vector<Mesh> meshes_;  // fine, then the coarser one if there is one
     gl::VertexArray square_array_;
-    gl::Buffer vertices_;
-    gl::Buffer indices_;
     gl::Buffer square_;
-    std::vector<Surface> surfaces_;
 };
 
 }  // namespace ballpit::view

@@ -67,7 +67,7 @@ Camera home(const vec3& half_extent, float aspect) {
         const float high = std::abs(glm::dot(point, up(camera))) / height;
         distance = std::max(distance, std::max(wide, high) - glm::dot(point, forward(camera)));
     }
-    constexpr float margin = 1.04f;
+    constexpr float margin = 1.1f;  // room for the light above
     camera.position = -margin * distance * forward(camera);
     return camera;
 }

@@ -10,11 +10,11 @@ struct Light {
     bool orbiting = true;
     float angle = 5.2f;              // rad about z, 0 towards +x
     float radius_factor = 0.6f;      // of the box's half width and depth
-    float height = 1.4f;             // above the box's centre, of the box's largest half extent
+    float height = 1.25f;            // above the box's centre, of the box's largest half extent
     float speed = 0.25f;             // rad/s
     vec3 colour{1.0f, 0.97f, 0.9f};  // as on screen (sRGB), 0 to 1
-    float intensity = 1.0f;
-    float ambient = 0.35f;  // light from everywhere, so that no side is black
+    float intensity = 1.1f;
+    float ambient = 0.4f;  // light from everywhere, so that no side is black
 };
 
 /// The light `dt` seconds later; angle stays within one turn.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/error.h"
 #include "view/image.h"
@@ -41,10 +42,27 @@ public:
                                     static_cast<std::uint32_t>(indices.size()), make_material(material)});
             model_.indices.insert(model_.indices.end(), indices.begin(), indices.end());
         }
+        model_.closed = is_closed();
         return std::move(model_);
     }
 
 private:
+    // Every edge is passed once in each direction, and the faces look outwards.
+    bool is_closed() const {
+        std::map<std::pair<int, int>, int> passes;
+        double volume = 0.0;
+        for_each_triangle([&](int a, int b, int c) {
+            for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+                ++passes[{from, to}];
+            }
+            volume += glm::dot(placed(a), glm::cross(placed(b), placed(c)));
+        });
+        return volume > 0.0 && std::ranges::all_of(passes, [&](const auto& pass) {
+                   const auto reverse = passes.find({pass.first.second, pass.first.first});
+                   return pass.second == 1 && reverse != passes.end() && reverse->second == 1;
+               });
+    }
+
     dvec3 position(int index) const { return triple(file_.attributes.vertices, index); }
 
     template <class Numbers>
@@ -57,6 +75,16 @@ private:
     void for_each_corner(Visit visit) const {
         for (const tinyobj::shape_t& shape : file_.shapes) {
             std::ranges::for_each(shape.mesh.indices, visit);
+        }
+    }
+
+    template <class Visit>
+    void for_each_triangle(Visit visit) const {
+        for (const tinyobj::shape_t& shape : file_.shapes) {
+            const auto& corners = shape.mesh.indices;
+            for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+                visit(corners[i].vertex_index, corners[i + 1].vertex_index, corners[i + 2].vertex_index);
+            }
         }
     }
 
@@ -85,18 +113,12 @@ private:
     // Cross products grow with the triangle's area, so that a large face counts for more.
     void sum_face_normals() {
         face_normals_.assign(file_.attributes.vertices.size() / 3, dvec3(0.0));
-        for (const tinyobj::shape_t& shape : file_.shapes) {
-            const auto& corners = shape.mesh.indices;
-            for (std::size_t first = 0; first + 2 < corners.size(); first += 3) {
-                const dvec3 a = placed(corners[first].vertex_index);
-                const dvec3 b = placed(corners[first + 1].vertex_index);
-                const dvec3 c = placed(corners[first + 2].vertex_index);
-                for (std::size_t k = 0; k < 3; ++k) {
-                    face_normals_[static_cast<std::size_t>(corners[first + k].vertex_index)] +=
-                        glm::cross(b - a, c - a);
-                }
+        for_each_triangle([&](int a, int b, int c) {
+            const dvec3 normal = glm::cross(placed(b) - placed(a), placed(c) - placed(a));
+            for (const int corner : {a, b, c}) {
+                face_normals_[static_cast<std::size_t>(corner)] += normal;
             }
-        }
+        });
     }
 
     dvec3 placed(int index) const { return (position(index) - centre_) * scale_; }
@@ -175,6 +197,16 @@ private:
 
 }  // namespace
 
-Model load_model(const fs::path& path) { return Builder(path, read_obj(path)).build(); }
+Model load_model(const fs::path& path) {
+    const ObjFile file = read_obj(path);
+    Model model = Builder(path, file).build();
+    fs::path coarse = path;
+    coarse.replace_filename(path.stem().string() + "_coarse" + path.extension().string());
+    if (fs::exists(coarse)) {
+        const ObjFile coarse_file = read_obj(coarse);
+        model.coarser.push_back(Builder(coarse, coarse_file).build());
+    }
+    return model;
+}
 
 }  // namespace ballpit::view

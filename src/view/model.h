@@ -43,10 +43,13 @@ struct Model {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     std::vector<Part> parts;
+    bool closed = false;         // a body seen from outside only: its back faces need not be drawn
+    std::vector<Model> coarser;  // none, or one with fewer triangles, for balls that are small in the picture
 };
 
-/// Triangulates, computes missing normals. Throws InputError with file and reason: no such file, not an OBJ, no
-/// triangles, an index or number out of range, a material file or texture that is named but missing or broken.
+/// Triangulates, computes missing normals. <stem>_coarse.obj beside it, if there is one, becomes the coarser model.
+/// Throws InputError with file and reason: no such file, not an OBJ, no triangles, an index or number out of range, a
+/// material file or texture that is named but missing or broken.
 Model load_model(const std::filesystem::path& path);
 
 }  // namespace ballpit::view
