@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ballpit {
 
@@ -20,6 +21,10 @@ Grid make_grid(const dvec3& half_extent, double r_max, double cell_factor, std::
     while (cells_along(0) * cells_along(1) * cells_along(2) > limit) {
         grid.cell_width *= 1.02;
     }
+    // A float coordinate, counted in cells, is off by up to 1.5 ulp of the far wall. Two balls that barely touch must
+    // not be rounded into cells that are not neighbours, so a cell is wider than the diameter by twice that each.
+    const double farthest = std::max({cells_along(0), cells_along(1), cells_along(2)});
+    grid.cell_width *= 1.0 + 6.0 * farthest * static_cast<double>(std::numeric_limits<float>::epsilon());
     for (int axis = 0; axis < 3; ++axis) {
         grid.cells[axis] = static_cast<std::uint32_t>(cells_along(axis));
     }

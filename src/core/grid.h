@@ -19,8 +19,8 @@ struct Grid {
 /// in every substep.
 std::uint32_t maximum_cells(std::uint32_t ball_count);
 
-/// Cell width 2 * r_max * cell_factor, or wider where the box would need more than maximum_cells (a wider cell
-/// never misses a pair). Balls outside the box belong to the outermost cells.
+/// Cell width 2 * r_max * cell_factor and a little more, so that rounding never misses a pair; wider where the box
+/// would need more than maximum_cells. Balls outside the box belong to the outermost cells.
 Grid make_grid(const dvec3& half_extent, double r_max, double cell_factor, std::uint32_t ball_count);
 
 }  // namespace ballpit
