@@ -1,9 +1,9 @@
 #version 330 core
-// Edges solid, faces a veil: what is behind stays visible.
+// Edges are lines, faces a veil, both fainter where few balls are: the full cells of a pile stand out of the many.
 #include "shared/frame.glsl"
 
 in vec3 local;
-flat in vec3 shade;
+flat in vec4 shade;
 
 layout(location = 0) out vec4 colour;
 
@@ -15,5 +15,7 @@ void main() {
     float middle = a.x + a.y + a.z - largest - smallest;
     float pixel = fwidth(middle);
     float edge = smoothstep(1.0 - 2.5 * pixel, 1.0 - 1.0 * pixel, middle);
-    colour = vec4(srgb(shade), mix(0.14, 0.9, edge));
+    float veil = mix(0.05, 0.35, shade.w);
+    float line = mix(0.4, 1.0, shade.w);
+    colour = vec4(srgb(shade.rgb), mix(veil, line, edge));
 }

@@ -5,7 +5,7 @@
 layout(location = 3) in uvec2 range;     // CellRange: first slot, one past the last
 
 out vec3 local;                          // -1 to 1 in the cell
-flat out vec3 shade;
+flat out vec4 shade;                    // w: 0 at one ball, 1 at top_count
 
 const float size = 0.94;                 // of the cell, so that neighbours' lines do not fall together
 
@@ -22,6 +22,7 @@ void main() {
     uvec3 cell = uvec3(id % frame.grid_cells.x, id / frame.grid_cells.x % frame.grid_cells.y,
                        id / (frame.grid_cells.x * frame.grid_cells.y));
     vec3 place = frame.grid_origin + frame.cell_width * (vec3(cell) + 0.5 + 0.5 * size * local);
-    shade = sequential_colour((float(count) - 1.0) / max(frame.top_count - 1.0, 1.0));
+    float fullness = clamp((float(count) - 1.0) / max(frame.top_count - 1.0, 1.0), 0.0, 1.0);
+    shade = vec4(sequential_colour(fullness), fullness);
     gl_Position = frame.view_projection * vec4(place, 1.0);
 }

@@ -73,7 +73,8 @@ Camera home(const vec3& half_extent, float aspect) {
 }
 
 mat4 view_matrix(const Camera& camera) {
-    return glm::lookAt(camera.position, camera.position + forward(camera), world_up);
+    // Turned at the origin: far away, position + forward would round the direction.
+    return glm::translate(glm::lookAt(vec3(0.0f), forward(camera), world_up), -camera.position);
 }
 
 mat4 projection(const Camera& camera, const vec3& half_extent, float aspect) {

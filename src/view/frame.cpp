@@ -41,12 +41,13 @@ void fill_light(layout::FrameParams& frame, const Picture& picture) {
 
 float ground_spacing(const vec3& half_extent) {
     constexpr float most_lines = 60.0f;
+    constexpr float fewest_lines = 3.0f;
     const float width = 2.0f * std::max(half_extent.x, half_extent.y);
     float spacing = 1.0f;
     while (width / spacing > most_lines) {
         spacing *= 10.0f;
     }
-    while (width / spacing < 0.1f * most_lines && spacing > 1e-6f) {
+    while (width / spacing < fewest_lines && spacing > 1e-6f) {
         spacing *= 0.1f;
     }
     return spacing;

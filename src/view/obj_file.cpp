@@ -38,7 +38,7 @@ public:
 
     bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                     std::map<std::string, int>* ids, std::string* warnings, std::string* errors) override {
-        const fs::path path = model_.parent_path() / portable(name);
+        const fs::path path = model_.parent_path() / name;
         std::ifstream stream(path);
         if (!stream || fs::is_directory(path)) {
             missing_ = path;

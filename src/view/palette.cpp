@@ -17,9 +17,10 @@ const std::array<vec3, 8> categorical_palette = {rgb(230, 159, 0),   rgb(86, 180
                                                  rgb(240, 228, 66),  rgb(0, 114, 178),  rgb(213, 94, 0),
                                                  rgb(204, 121, 167), rgb(187, 187, 187)};
 
-const std::array<vec3, 9> sequential_palette = {rgb(0, 34, 78),     rgb(26, 56, 111),   rgb(67, 78, 108),
-                                                rgb(97, 101, 111),  rgb(125, 124, 120), rgb(155, 148, 118),
-                                                rgb(188, 174, 108), rgb(221, 201, 88),  rgb(254, 232, 56)};
+// A straight line in Oklab (Ottosson 2020) from the first colour to the last.
+const std::array<vec3, 9> sequential_palette = {rgb(52, 108, 216),  rgb(76, 128, 208),  rgb(100, 146, 199),
+                                                rgb(125, 163, 188), rgb(150, 179, 176), rgb(176, 195, 161),
+                                                rgb(202, 209, 142), rgb(228, 224, 117), rgb(255, 238, 80)};
 
 vec3 categorical(std::uint32_t index) { return categorical_palette[index % categorical_palette.size()]; }
 

@@ -11,8 +11,8 @@ namespace ballpit::view {
 
 /// Eight hues for "which one", after Okabe and Ito (2008), black replaced by grey.
 extern const std::array<vec3, 8> categorical_palette;
-/// Evenly spaced colours for "how much", dark blue to yellow; lightness rises steadily, as in cividis
-/// (Nunez, Anderton, Renslow 2018). Colours between are interpolated.
+/// Evenly spaced colours for "how much", blue to yellow, which every kind of colour-blind eye tells apart; lightness
+/// rises evenly, and even the first stands out from the dark background. Colours between are interpolated.
 extern const std::array<vec3, 9> sequential_palette;
 
 /// Repeats after eight.
