@@ -10,33 +10,98 @@ namespace ballpit::measure {
 
 namespace {
 
+// Every constant below is derived in docs/accuracy.md, "The bound"; each is the derived one or rounded up.
 constexpr double ulp = std::numeric_limits<float>::epsilon();
+constexpr double smallest_normal = std::numeric_limits<float>::min();
 
 // Sums over the contacts of one ball.
 struct Contacts {
-    double uncertainty = 0.0;   // N, in units of ulp
-    double force = 0.0;         // N, sum of magnitudes
+    double uncertainty = 0.0;  // N, in units of ulp
+    double force = 0.0;        // N, sum of magnitudes
     double count = 0.0;
+};
+
+// One contact as both balls, or ball and wall, see it. A wall has reach 0: its overlap needs no square root.
+struct Contact {
+    double reach;
+    double overlap;
+    double speed;
+    double reduced_mass;
+    double damping_ratio;
 };
 
 struct Bounder {
     const SubstepParams<double>& params;
     Features features;
+    std::span<const vec4> positions;
+    std::span<const vec4> velocities;
     std::span<const float> damping_ratios;
 
     double damping_ratio(std::size_t i) const {
         return features.has(Feature::ball_restitution) ? static_cast<double>(damping_ratios[i]) : params.damping_ratio;
     }
 
-    // docs/accuracy.md, "GPU against mirror": the distance is off by 5 ulp, the normal by 8, the dashpot's
-    // coefficient by 7 and its speed by 12; the rest rounds alike on both sides, once per operation.
-    void add(Contacts& sum, double reach, double overlap, double speed, double reduced_mass, double zeta) const {
-        const double spring = params.stiffness * overlap;
-        const double c = features.has(Feature::dashpot) ? 2.0 * zeta * std::sqrt(params.stiffness * reduced_mass) : 0.0;
-        const double dashpot = c * speed;
-        sum.uncertainty += 8.0 * params.stiffness * reach + 32.0 * dashpot + 16.0 * spring;
+    void add(Contacts& sum, const Contact& contact) const {
+        const double spring = params.stiffness * contact.overlap;
+        const double c = features.has(Feature::dashpot)
+                             ? 2.0 * contact.damping_ratio * std::sqrt(params.stiffness * contact.reduced_mass)
+                             : 0.0;
+        const double dashpot = c * contact.speed;
+        sum.uncertainty += 8.0 * params.stiffness * contact.reach + 16.0 * spring + 32.0 * dashpot;
         sum.force += spring + dashpot;
         sum.count += 1.0;
+    }
+
+    void add_pair(std::vector<Contacts>& contacts, const Pair& pair) const {
+        const vec4& a = positions[pair.a];
+        const vec4& b = positions[pair.b];
+        const double reach = static_cast<double>(a.w) + static_cast<double>(b.w);
+        const auto mass_a = static_cast<double>(velocities[pair.a].w);
+        const auto mass_b = static_cast<double>(velocities[pair.b].w);
+        const Contact contact{reach, std::max(0.0, reach - glm::distance(dvec3(a), dvec3(b))),
+                              glm::distance(dvec3(velocities[pair.a]), dvec3(velocities[pair.b])),
+                              mass_a * mass_b / (mass_a + mass_b),
+                              std::max(damping_ratio(pair.a), damping_ratio(pair.b))};
+        add(contacts[pair.a], contact);
+        add(contacts[pair.b], contact);
+    }
+
+    // In float and in the order of the stage, because a ball that just touches must count as touching here, too.
+    void add_walls(Contacts& sum, std::size_t i) const {
+        const vec4& ball = positions[i];
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto half = static_cast<float>(params.half_extent[axis]);
+            for (const float overlap : {ball.w - (ball[axis] + half), ball.w - (half - ball[axis])}) {
+                if (overlap > 0.0f) {
+                    add(sum, {0.0, static_cast<double>(overlap), std::abs(static_cast<double>(velocities[i][axis])),
+                              static_cast<double>(velocities[i].w), damping_ratio(i)});
+                }
+            }
+        }
+    }
+
+    struct Errors {
+        double position;
+        double velocity;
+    };
+
+    Errors errors(const Contacts& sum, std::size_t i) const {
+        constexpr double underflow = 16.0 * smallest_normal;
+        if (sum.count == 0.0) {
+            return {underflow, underflow};  // free flight: no division but 0 / mass, so both sides agree
+        }
+        const auto mass = static_cast<double>(velocities[i].w);
+        const double gravity = features.has(Feature::gravity) ? glm::length(params.gravity) : 0.0;
+        const double acceleration = sum.force / mass + gravity;
+        const double force_error = ulp * (sum.uncertainty + 2.0 * (sum.count + 2.0) * sum.force);
+        const double acceleration_error = force_error / mass + 6.0 * ulp * acceleration;
+        const double gain = params.gain + params.second_gain;
+        const double drift = params.drift;
+        const double speed = glm::length(dvec3(velocities[i])) + std::max(gain, drift) * acceleration;
+        const double velocity_error = gain * acceleration_error + 6.0 * ulp * speed + underflow;
+        const double position_error = drift * (velocity_error + drift * acceleration_error) +
+                                      3.0 * ulp * (glm::length(dvec3(positions[i])) + drift * speed) + underflow;
+        return {position_error, velocity_error};
     }
 };
 
@@ -44,52 +109,21 @@ struct Bounder {
 
 CollideBound collide_bound(const SubstepParams<double>& params, Features features, std::span<const vec4> positions,
                            std::span<const vec4> velocities, std::span<const float> damping_ratios) {
-    const Bounder bounder{params, features, damping_ratios};
+    const Bounder bounder{params, features, positions, velocities, damping_ratios};
     std::vector<Contacts> contacts(positions.size());
     if (features.has(Feature::contact)) {
         for (const Pair& pair : touching_pairs(positions)) {
-            const vec4& a = positions[pair.a];
-            const vec4& b = positions[pair.b];
-            const double reach = static_cast<double>(a.w) + static_cast<double>(b.w);
-            const double overlap = std::max(0.0, reach - glm::distance(dvec3(a), dvec3(b)));
-            const double speed = glm::distance(dvec3(velocities[pair.a]), dvec3(velocities[pair.b]));
-            const auto mass_a = static_cast<double>(velocities[pair.a].w);
-            const auto mass_b = static_cast<double>(velocities[pair.b].w);
-            const double zeta = std::max(bounder.damping_ratio(pair.a), bounder.damping_ratio(pair.b));
-            for (const std::uint32_t ball : {pair.a, pair.b}) {
-                bounder.add(contacts[ball], reach, overlap, speed, mass_a * mass_b / (mass_a + mass_b), zeta);
-            }
+            bounder.add_pair(contacts, pair);
         }
     }
     CollideBound bound;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const dvec3 x(positions[i]);
-        const dvec3 v(velocities[i]);
-        const auto radius = static_cast<double>(positions[i].w);
-        const auto mass = static_cast<double>(velocities[i].w);
         if (features.has(Feature::walls)) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const double overlap = radius - (params.half_extent[axis] - std::abs(x[axis]));
-                if (overlap > 0.0) {
-                    bounder.add(contacts[i], 0.0, overlap, std::abs(v[axis]), mass, bounder.damping_ratio(i));
-                }
-            }
+            bounder.add_walls(contacts[i], i);
         }
-        // Sums may round differently once their terms differ: one ulp an addition.
-        const Contacts& sum = contacts[i];
-        const double gravity = features.has(Feature::gravity) ? glm::length(params.gravity) : 0.0;
-        const double acceleration = sum.force / mass + gravity;
-        const double force_error = ulp * (sum.uncertainty + 2.0 * (sum.count + 2.0) * sum.force);
-        const bool touched = sum.count > 0.0;   // free flight has no division that is not of 0
-        const double acceleration_error = touched ? force_error / mass + 6.0 * ulp * acceleration : 0.0;
-        const double gain = std::abs(params.gain) + std::abs(params.second_gain);
-        const double speed = glm::length(v) + gain * acceleration;
-        const double velocity_error = gain * acceleration_error + (touched ? 6.0 * ulp * speed : 0.0);
-        const double drift = std::abs(params.drift);
-        const double position_error = drift * (velocity_error + drift * acceleration_error) +
-                                      (touched ? 3.0 * ulp * (glm::length(x) + drift * speed) : 0.0);
-        bound.velocity.push_back(velocity_error);
-        bound.position.push_back(position_error);
+        const Bounder::Errors errors = bounder.errors(contacts[i], i);
+        bound.position.push_back(errors.position);
+        bound.velocity.push_back(errors.velocity);
     }
     return bound;
 }
