@@ -22,6 +22,10 @@
 #define SLOT_NEXT_VELOCITIES 7    // as SLOT_VELOCITIES, written by collide
 #define SLOT_COUNT 8
 
+// hash_state is no part of a substep; its ring of results takes the place of a slot that it does not read.
+#define BINDING_HASHES SLOT_KEYS  // HashSum an entry
+#define HASH_RING_SIZE 256
+
 #define BLOCK_PARAMS 0            // uniform block SubstepParams
 
 // Bits of Status.bits, one for each kind of failure that a stage can meet.
@@ -38,6 +42,12 @@ struct Key {
 struct CellRange {
     uint first;
     uint end;
+};
+
+// Two sums that make up the 64 bits of a state hash.
+struct HashSum {
+    uint low;
+    uint high;
 };
 
 struct Status {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,27 @@ using Bytes = std::vector<std::byte>;
 /// Milliseconds that one run of a whole substep took, by stage; a stage that did not run has 0.
 using StageTimes = std::array<double, stage_count>;
 
+/// A copy of the state that a backend keeps where it computes: positions, velocities, damping ratios and status.
+class SavedState {
+public:
+    explicit SavedState(std::uint32_t ball_count) : ball_count_(ball_count) {}
+    SavedState(const SavedState&) = delete;
+    SavedState& operator=(const SavedState&) = delete;
+    virtual ~SavedState() = default;
+
+    std::uint32_t ball_count() const { return ball_count_; }
+    virtual std::size_t bytes() const = 0;
+
+private:
+    std::uint32_t ball_count_;
+};
+
+/// The hash of the state that was current when it was asked for.
+struct TaggedHash {
+    std::uint64_t tag;
+    std::uint64_t hash;
+};
+
 class Backend {
 public:
     Backend() = default;
@@ -27,9 +49,9 @@ public:
     Backend& operator=(const Backend&) = delete;
     virtual ~Backend() = default;
 
-    virtual std::string_view name() const = 0;      // "gpu" or "cpu"
-    virtual std::string device() const = 0;         // renderer or processor
-    virtual std::string driver() const = 0;         // version text
+    virtual std::string_view name() const = 0;  // "gpu" or "cpu"
+    virtual std::string device() const = 0;     // renderer or processor
+    virtual std::string driver() const = 0;     // version text
 
     /// Makes room for the schedule's slots and loads the state (`limit_force` turns restitutions into damping
     /// ratios). Throws DeviceError when the device has no room; the balls that were there are then lost.
@@ -44,6 +66,16 @@ public:
 
     /// Ends a substep: what collide wrote becomes the state.
     virtual void swap_states() = 0;
+
+    /// Copies the state, at the start of a substep, without waiting for the device.
+    virtual std::unique_ptr<SavedState> save() = 0;
+    /// Puts a state of this backend back, with room for the schedule's slots.
+    virtual void restore(const SavedState& state, const Schedule& schedule) = 0;
+
+    /// Asks for the hash of the state (ball_state.h) without waiting; take_hashes() has those that are there, in
+    /// the order of asking.
+    virtual void request_hash(std::uint64_t tag) = 0;
+    virtual std::vector<TaggedHash> take_hashes() = 0;
 
     /// The bytes of a slot, in the layout of layout.h. Waits for the device.
     virtual Bytes read(Slot slot) = 0;

@@ -38,6 +38,7 @@ void Simulation::load_world(World world) {
     half_extent_ = world.half_extent;
     overlapping_ = world.overlapping;
     step_count_ = 0;
+    substep_ = 0;
     substeps_since_base_ = 0;
     time_base_ = 0.0;
     load_state(world.balls);
@@ -47,9 +48,13 @@ void Simulation::load_state(const BallState& state) {
     restitutions_ = state.restitutions;
     velocity_lag_ = state.velocity_lag;
     largest_radius_ = largest_radius(state.positions);
-    const Grid grid = make_grid(half_extent_, largest_radius_, settings_.cell_factor, state.count());
-    schedule_ = make_schedule(state.count(), grid, scene_features(scene_, settings_), settings_.sort);
+    schedule_ = wanted_schedule(state.count());
     backend_->load(state, schedule_, settings_.limit_force);
+}
+
+Schedule Simulation::wanted_schedule(std::uint32_t ball_count) const {
+    const Grid grid = make_grid(half_extent_, largest_radius_, settings_.cell_factor, ball_count);
+    return make_schedule(ball_count, grid, scene_features(scene_, settings_), settings_.sort);
 }
 
 SubstepParams<double> Simulation::params() const {
@@ -61,6 +66,11 @@ void Simulation::end_substep() {
     backend_->swap_states();
     velocity_lag_ = substep_motion(settings_.integrator, drag(), substep_dt(), velocity_lag_).lag_after;
     ++substeps_since_base_;
+    ++substep_;
+    if (substep_ >= settings_.substeps) {  // more than, where the number was lowered within the step
+        substep_ = 0;
+        ++step_count_;
+    }
 }
 
 void Simulation::substep() {
@@ -69,10 +79,30 @@ void Simulation::substep() {
 }
 
 void Simulation::step() {
-    for (std::uint32_t i = 0; i < settings_.substeps; ++i) {
+    const std::uint64_t next = step_count_ + 1;
+    while (step_count_ < next) {
         substep();
     }
-    ++step_count_;
+}
+
+Checkpoint Simulation::checkpoint() {
+    return {backend_->save(), settings_,   half_extent_, largest_radius_,      velocity_lag_, restitutions_,
+            overlapping_,     step_count_, substep_,     substeps_since_base_, time_base_};
+}
+
+void Simulation::restore(const Checkpoint& checkpoint) {
+    settings_ = checkpoint.settings;
+    half_extent_ = checkpoint.half_extent;
+    largest_radius_ = checkpoint.largest_radius;
+    velocity_lag_ = checkpoint.velocity_lag;
+    restitutions_ = checkpoint.restitutions;
+    overlapping_ = checkpoint.overlapping;
+    step_count_ = checkpoint.step_count;
+    substep_ = checkpoint.substep;
+    substeps_since_base_ = checkpoint.substeps_since_base;
+    time_base_ = checkpoint.time_base;
+    schedule_ = wanted_schedule(checkpoint.state->ball_count());
+    backend_->restore(*checkpoint.state, schedule_);
 }
 
 double Simulation::time() const { return time_base_ + static_cast<double>(substeps_since_base_) * substep_dt(); }
@@ -92,7 +122,7 @@ void Simulation::change(const Settings& wanted) {
     if (other_count || other_program) {
         World world;
         if (other_count) {
-            world = make_world(scene_, wanted.balls, seed_);   // may throw: nothing has changed yet
+            world = make_world(scene_, wanted.balls, seed_);  // may throw: nothing has changed yet
         }
         BallState state = synchronised_state();
         if (other_count) {
@@ -100,7 +130,7 @@ void Simulation::change(const Settings& wanted) {
             std::copy_n(state.positions.begin(), kept, world.balls.positions.begin());
             std::copy_n(state.velocities.begin(), kept, world.balls.velocities.begin());
             state = std::move(world.balls);
-            half_extent_ = glm::max(half_extent_, world.half_extent);   // walls never close in on balls
+            half_extent_ = glm::max(half_extent_, world.half_extent);  // walls never close in on balls
             overlapping_ = world.overlapping;
         }
         settings_ = wanted;
@@ -110,8 +140,7 @@ void Simulation::change(const Settings& wanted) {
     const bool other_schedule = wanted.sort != settings_.sort || wanted.cell_factor != settings_.cell_factor;
     settings_ = wanted;
     if (other_schedule) {
-        const Grid grid = make_grid(half_extent_, largest_radius_, settings_.cell_factor, schedule_.ball_count);
-        schedule_ = make_schedule(schedule_.ball_count, grid, schedule_.features, settings_.sort);
+        schedule_ = wanted_schedule(schedule_.ball_count);
         backend_->reschedule(schedule_);
     }
 }
@@ -135,8 +164,8 @@ BallState Simulation::synchronised_state() {
     const auto kick = make_substep_params(settings_, half_extent_, schedule_.grid,
                                           synchronising_motion(drag(), velocity_lag_), schedule_.ball_count);
     const Bytes status = backend_->read(Slot::status);
-    backend_->run(schedule_, kick, 0, schedule_.dispatches.size());   // lands in the next_ slots: not a substep
-    backend_->write(Slot::status, status);                            // so its counts do not count
+    backend_->run(schedule_, kick, 0, schedule_.dispatches.size());  // lands in the next_ slots: not a substep
+    backend_->write(Slot::status, status);                           // so its counts do not count
     state.velocities = read_slot<vec4>(*backend_, Slot::next_velocities);
     state.velocity_lag = 0.0;
     return state;

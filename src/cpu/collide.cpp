@@ -22,7 +22,7 @@ struct Ball {
 
 template <class Real>
 Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;   // in the shader's order of additions
+    return a.x * b.x + a.y * b.y + a.z * b.z;  // in the shader's order of additions
 }
 
 // Balls with the same centre have no line of centres. Both of a pair derive one axis from their ids and take
@@ -71,7 +71,8 @@ struct Collider {
         const Vec3<Real> normal = distance_squared > 0 ? offset / distance : coincident_direction<Real>(a.id, b.id);
         const Real reduced_mass = a.mass * b.mass / (a.mass + b.mass);
         const Real speed = dot(a.velocity - b.velocity, normal);
-        force += contact_force(reach - distance, speed, reduced_mass, std::max(a.damping_ratio, b.damping_ratio)) * normal;
+        force +=
+            contact_force(reach - distance, speed, reduced_mass, std::max(a.damping_ratio, b.damping_ratio)) * normal;
     }
 
     void add_neighbours(const Ball<Real>& ball, Vec3<Real>& force) const;

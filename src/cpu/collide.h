@@ -12,11 +12,11 @@ namespace ballpit::cpu {
 /// What collide reads. Spans of laws that are absent may be empty.
 template <class Real>
 struct CollideInput {
-    std::span<const Vec4<Real>> positions;       // ball_count
-    std::span<const Vec4<Real>> velocities;      // ball_count
-    std::span<const Real> damping_ratios;        // ball_count, or empty
-    std::span<const Key> keys;                   // sorted, at least ball_count
-    std::span<const CellRange> cell_ranges;      // cell_count
+    std::span<const Vec4<Real>> positions;   // ball_count
+    std::span<const Vec4<Real>> velocities;  // ball_count
+    std::span<const Real> damping_ratios;    // ball_count, or empty
+    std::span<const Key> keys;               // sorted, at least ball_count
+    std::span<const CellRange> cell_ranges;  // cell_count
 };
 
 /// Writes the next state of each ball; counts those that are not finite. Neighbours are met in the order of

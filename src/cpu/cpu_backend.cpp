@@ -46,6 +46,19 @@ void overwrite_converted(std::vector<To>& elements, std::span<const std::byte> b
     std::ranges::transform(given, elements.begin(), [](const From& value) { return To(value); });
 }
 
+template <class Real>
+struct CpuState final : SavedState {
+    using SavedState::SavedState;
+    std::size_t bytes() const override {
+        return (positions.size() + velocities.size()) * sizeof(Vec4<Real>) + damping_ratios.size() * sizeof(Real);
+    }
+
+    std::vector<Vec4<Real>> positions;
+    std::vector<Vec4<Real>> velocities;
+    std::vector<Real> damping_ratios;
+    Status status{};
+};
+
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -134,16 +147,56 @@ void CpuBackend<Real>::swap_states() {
 }
 
 template <class Real>
+std::unique_ptr<SavedState> CpuBackend<Real>::save() {
+    auto state = std::make_unique<CpuState<Real>>(static_cast<std::uint32_t>(positions_.size()));
+    state->positions = positions_;
+    state->velocities = velocities_;
+    state->damping_ratios = damping_ratios_;
+    state->status = status_;
+    return state;
+}
+
+template <class Real>
+void CpuBackend<Real>::restore(const SavedState& state, const Schedule& schedule) {
+    const auto& saved = dynamic_cast<const CpuState<Real>&>(state);
+    positions_ = saved.positions;
+    velocities_ = saved.velocities;
+    next_positions_ = positions_;
+    next_velocities_ = velocities_;
+    damping_ratios_ = saved.damping_ratios;
+    status_ = saved.status;
+    reschedule(schedule);
+}
+
+template <class Real>
+void CpuBackend<Real>::request_hash(std::uint64_t tag) {
+    hashes_.push_back({tag, hash_state(typed<vec4>(read(Slot::positions)), typed<vec4>(read(Slot::velocities)))});
+}
+
+template <class Real>
+std::vector<TaggedHash> CpuBackend<Real>::take_hashes() {
+    return std::exchange(hashes_, {});
+}
+
+template <class Real>
 Bytes CpuBackend<Real>::read(Slot slot) {
     switch (slot) {
-        case Slot::positions: return converted_bytes<vec4>(positions_);
-        case Slot::velocities: return converted_bytes<vec4>(velocities_);
-        case Slot::next_positions: return converted_bytes<vec4>(next_positions_);
-        case Slot::next_velocities: return converted_bytes<vec4>(next_velocities_);
-        case Slot::damping_ratios: return converted_bytes<float>(damping_ratios_);
-        case Slot::keys: return bytes_of<Key>(keys_);
-        case Slot::cell_ranges: return bytes_of<CellRange>(cell_ranges_);
-        case Slot::status: return bytes_of<Status>({&status_, 1});
+        case Slot::positions:
+            return converted_bytes<vec4>(positions_);
+        case Slot::velocities:
+            return converted_bytes<vec4>(velocities_);
+        case Slot::next_positions:
+            return converted_bytes<vec4>(next_positions_);
+        case Slot::next_velocities:
+            return converted_bytes<vec4>(next_velocities_);
+        case Slot::damping_ratios:
+            return converted_bytes<float>(damping_ratios_);
+        case Slot::keys:
+            return bytes_of<Key>(keys_);
+        case Slot::cell_ranges:
+            return bytes_of<CellRange>(cell_ranges_);
+        case Slot::status:
+            return bytes_of<Status>({&status_, 1});
     }
     return {};
 }
@@ -151,13 +204,20 @@ Bytes CpuBackend<Real>::read(Slot slot) {
 template <class Real>
 void CpuBackend<Real>::write(Slot slot, std::span<const std::byte> bytes) {
     switch (slot) {
-        case Slot::positions: return overwrite_converted<vec4>(positions_, bytes);
-        case Slot::velocities: return overwrite_converted<vec4>(velocities_, bytes);
-        case Slot::next_positions: return overwrite_converted<vec4>(next_positions_, bytes);
-        case Slot::next_velocities: return overwrite_converted<vec4>(next_velocities_, bytes);
-        case Slot::damping_ratios: return overwrite_converted<float>(damping_ratios_, bytes);
-        case Slot::keys: return overwrite(keys_, bytes);
-        case Slot::cell_ranges: return overwrite(cell_ranges_, bytes);
+        case Slot::positions:
+            return overwrite_converted<vec4>(positions_, bytes);
+        case Slot::velocities:
+            return overwrite_converted<vec4>(velocities_, bytes);
+        case Slot::next_positions:
+            return overwrite_converted<vec4>(next_positions_, bytes);
+        case Slot::next_velocities:
+            return overwrite_converted<vec4>(next_velocities_, bytes);
+        case Slot::damping_ratios:
+            return overwrite_converted<float>(damping_ratios_, bytes);
+        case Slot::keys:
+            return overwrite(keys_, bytes);
+        case Slot::cell_ranges:
+            return overwrite(cell_ranges_, bytes);
         case Slot::status:
             assert(bytes.size() == sizeof(Status));
             std::memcpy(&status_, bytes.data(), sizeof(Status));

@@ -20,6 +20,10 @@ public:
     void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
              std::size_t last) override;
     void swap_states() override;
+    std::unique_ptr<SavedState> save() override;
+    void restore(const SavedState& state, const Schedule& schedule) override;
+    void request_hash(std::uint64_t tag) override;
+    std::vector<TaggedHash> take_hashes() override;
 
     /// In the layout of layout.h: the reference's positions and velocities are rounded to float.
     Bytes read(Slot slot) override;
@@ -47,6 +51,7 @@ private:
     std::vector<CellRange> cell_ranges_;
     Status status_{};
     std::array<std::optional<Bytes>, slot_count> requested_;
+    std::vector<TaggedHash> hashes_;
     bool timing_ = false;
     std::vector<StageTimes> times_;
 };

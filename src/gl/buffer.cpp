@@ -49,4 +49,11 @@ std::vector<std::byte> Buffer::read() const {
     return bytes;
 }
 
+void copy(const Buffer& from, const Buffer& to, std::size_t bytes) {
+    assert(bytes <= from.size() && bytes <= to.size());
+    from.bind(GL_COPY_READ_BUFFER);
+    to.bind(GL_COPY_WRITE_BUFFER);
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
+}
+
 }  // namespace ballpit::gl

@@ -34,4 +34,7 @@ private:
     std::size_t size_ = 0;
 };
 
+/// Copies the first `bytes` on the device.
+void copy(const Buffer& from, const Buffer& to, std::size_t bytes);
+
 }  // namespace ballpit::gl

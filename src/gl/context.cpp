@@ -16,7 +16,7 @@ std::string gl_string(GLenum name) {
 
 void init_video(bool visible) {
     if (!visible) {
-        SDL_SetHint(SDL_HINT_VIDEODRIVER, "offscreen");   // a hint gives way to the environment variable
+        SDL_SetHint(SDL_HINT_VIDEODRIVER, "offscreen");  // a hint gives way to the environment variable
     }
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
         throw Error(std::string("no display to open a window on: ") + SDL_GetError());

@@ -12,8 +12,8 @@ struct ContextOptions {
     std::string title = "Ball Pit";
     int width = 1280;
     int height = 720;
-    bool visible = true;       // false: for headless work and tests
-    bool debug = false;        // ask for a debug context and collect messages (debug.h)
+    bool visible = true;  // false: for headless work and tests
+    bool debug = false;   // ask for a debug context and collect messages (debug.h)
 };
 
 class Context {
@@ -27,9 +27,9 @@ public:
 
     SDL_Window* window() const { return window_; }
     SDL_GLContext handle() const { return context_; }
-    bool has_compute() const { return has_compute_; }   // GL 4.3
-    std::string renderer() const;                       // GL_RENDERER
-    std::string version() const;                        // GL_VERSION
+    bool has_compute() const { return has_compute_; }  // GL 4.3
+    std::string renderer() const;                      // GL_RENDERER
+    std::string version() const;                       // GL_VERSION
 
 private:
     bool create(const ContextOptions& options, int major, int minor);

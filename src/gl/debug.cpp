@@ -7,7 +7,7 @@ namespace ballpit::gl {
 
 namespace {
 
-std::mutex mutex;                    // a driver may call from a thread of its own
+std::mutex mutex;  // a driver may call from a thread of its own
 std::vector<std::string> messages;
 
 void GLAD_API_PTR on_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void*) {

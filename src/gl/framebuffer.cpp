@@ -51,7 +51,8 @@ std::vector<unsigned char> read_pixels(int width, int height) {
     glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, upside_down.data());
     std::vector<unsigned char> pixels(upside_down.size());
     for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
-        const auto from = upside_down.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(height) - 1 - y) * row);
+        const auto from =
+            upside_down.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(height) - 1 - y) * row);
         std::copy_n(from, row, pixels.begin() + static_cast<std::ptrdiff_t>(y * row));
     }
     return pixels;

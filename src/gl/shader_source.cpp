@@ -19,7 +19,7 @@ public:
 
     void append(const std::string& file, const std::string& from) {
         if (std::ranges::find(source.files, fs::path(file)) != source.files.end()) {
-            return;   // included already
+            return;  // included already
         }
         std::ifstream stream(folder_ / file);
         if (!stream) {
@@ -69,7 +69,8 @@ private:
 
 }  // namespace
 
-ShaderSource load_shader(const fs::path& folder, const std::string& file, const std::vector<std::string_view>& defines) {
+ShaderSource load_shader(const fs::path& folder, const std::string& file,
+                         const std::vector<std::string_view>& defines) {
     Loader loader(folder, defines);
     loader.append(file, "");
     loader.source.name = file;

@@ -10,9 +10,9 @@
 namespace ballpit::gl {
 
 struct ShaderSource {
-    std::string text;                             // what the compiler gets
-    std::vector<std::filesystem::path> files;     // source-string number of #line -> file
-    std::string name;                             // file name, and the defines it was read with
+    std::string text;                          // what the compiler gets
+    std::vector<std::filesystem::path> files;  // source-string number of #line -> file
+    std::string name;                          // file name, and the defines it was read with
 };
 
 /// Reads `file` below `folder`; #include paths are below `folder` too, each included once. The #version line

@@ -34,7 +34,7 @@ std::vector<SpanTimer::Span> SpanTimer::take() {
         GLint available = 0;
         glGetQueryObjectiv(marks.back().query.id(), GL_QUERY_RESULT_AVAILABLE, &available);
         if (available == 0) {
-            break;   // queries complete in order: the later ones are not there either
+            break;  // queries complete in order: the later ones are not there either
         }
         Span span;
         GLuint64 before = 0;

@@ -12,8 +12,8 @@ namespace ballpit::gpu {
 /// What the next command does with a buffer that a shader may have written.
 enum class Use { storage, vertex, copy };
 
-inline constexpr std::array<GLbitfield, 3> use_bits = {GL_SHADER_STORAGE_BARRIER_BIT, GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT,
-                                                       GL_BUFFER_UPDATE_BARRIER_BIT};
+inline constexpr std::array<GLbitfield, 3> use_bits = {
+    GL_SHADER_STORAGE_BARRIER_BIT, GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT, GL_BUFFER_UPDATE_BARRIER_BIT};
 
 /// Keeps, for each of `buffer_count` buffers, the uses to which its last shader write is not yet visible, and
 /// whether a shader may still be reading it. Pure bookkeeping: it calls no GL.
@@ -27,7 +27,8 @@ public:
 
     /// The same before a shader writes it: earlier shader reads must be over, too.
     GLbitfield before_write(std::size_t buffer) const {
-        return before_use(buffer, Use::storage) | (read_[buffer] ? use_bits[static_cast<std::size_t>(Use::storage)] : 0u);
+        return before_use(buffer, Use::storage) |
+               (read_[buffer] ? use_bits[static_cast<std::size_t>(Use::storage)] : 0u);
     }
 
     /// A barrier with these bits was issued: it covers every buffer.

@@ -13,6 +13,22 @@ namespace ballpit::gpu {
 
 namespace {
 
+// What a checkpoint keeps; everything else follows from it.
+constexpr std::array saved_slots = {Slot::positions, Slot::velocities, Slot::damping_ratios, Slot::status};
+
+struct GpuState final : SavedState {
+    using SavedState::SavedState;
+    std::size_t bytes() const override {
+        std::size_t sum = 0;
+        for (const gl::Buffer& buffer : buffers) {
+            sum += buffer.size();
+        }
+        return sum;
+    }
+
+    std::array<gl::Buffer, saved_slots.size()> buffers;
+};
+
 std::string gl_text(GLenum name) {
     const auto* text = reinterpret_cast<const char*>(glGetString(name));
     return text == nullptr ? "" : text;
@@ -28,7 +44,8 @@ std::vector<float> damping_ratios_of(const BallState& state, bool limit_force) {
 
 }  // namespace
 
-GpuBackend::GpuBackend(std::filesystem::path shader_folder) : programs_(std::move(shader_folder)) {
+GpuBackend::GpuBackend(std::filesystem::path shader_folder)
+    : programs_(shader_folder), hasher_(std::move(shader_folder)) {
     if (GLAD_GL_VERSION_4_3 == 0) {
         throw gl::Error("the GPU backend needs OpenGL 4.3, this context has " + gl_text(GL_VERSION));
     }
@@ -42,11 +59,16 @@ std::string GpuBackend::driver() const { return gl_text(GL_VERSION); }
 std::size_t GpuBackend::physical(Slot slot) const {
     if (swapped_) {
         switch (slot) {
-            case Slot::positions: return static_cast<std::size_t>(Slot::next_positions);
-            case Slot::velocities: return static_cast<std::size_t>(Slot::next_velocities);
-            case Slot::next_positions: return static_cast<std::size_t>(Slot::positions);
-            case Slot::next_velocities: return static_cast<std::size_t>(Slot::velocities);
-            default: break;
+            case Slot::positions:
+                return static_cast<std::size_t>(Slot::next_positions);
+            case Slot::velocities:
+                return static_cast<std::size_t>(Slot::next_velocities);
+            case Slot::next_positions:
+                return static_cast<std::size_t>(Slot::positions);
+            case Slot::next_velocities:
+                return static_cast<std::size_t>(Slot::velocities);
+            default:
+                break;
         }
     }
     return static_cast<std::size_t>(slot);
@@ -91,8 +113,12 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
 void GpuBackend::reschedule(const Schedule& schedule) {
     reserve(Slot::keys, schedule.key_count * sizeof(Key));
     reserve(Slot::cell_ranges, schedule.cell_count * sizeof(CellRange));
+    // Whoever looks before the first substep sees no keys and empty cells, not what memory held.
+    write(Slot::keys, std::as_bytes(std::span<const Key>(std::vector(schedule.key_count, Key{SENTINEL, SENTINEL}))));
+    write(Slot::cell_ranges,
+          std::as_bytes(std::span<const CellRange>(std::vector(schedule.cell_count, CellRange{0, 0}))));
     for (const Dispatch& dispatch : schedule.dispatches) {
-        programs_.get(dispatch.program);   // compile now, so that no substep waits for it
+        programs_.get(dispatch.program);  // compile now, so that no substep waits for it
     }
 }
 
@@ -162,6 +188,47 @@ void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& para
 }
 
 void GpuBackend::swap_states() { swapped_ = !swapped_; }
+
+std::unique_ptr<SavedState> GpuBackend::save() {
+    auto state =
+        std::make_unique<GpuState>(static_cast<std::uint32_t>(used_bytes_[physical(Slot::positions)] / sizeof(vec4)));
+    for (std::size_t i = 0; i < saved_slots.size(); ++i) {
+        const Slot slot = saved_slots[i];
+        const std::size_t bytes = used_bytes_[physical(slot)];
+        if (bytes != 0) {
+            use(slot, Use::copy);
+            state->buffers[i] = gl::Buffer(slot_name(slot), bytes);
+            gl::copy(buffer(slot), state->buffers[i], bytes);
+        }
+    }
+    return state;
+}
+
+void GpuBackend::restore(const SavedState& state, const Schedule& schedule) {
+    const auto& saved = dynamic_cast<const GpuState&>(state);
+    const auto fill = [this](Slot slot, const gl::Buffer& bytes) {
+        reserve(slot, bytes.size());
+        if (bytes.size() != 0) {
+            use(slot, Use::copy);
+            gl::copy(bytes, buffer(slot), bytes.size());
+        }
+    };
+    for (std::size_t i = 0; i < saved_slots.size(); ++i) {
+        fill(saved_slots[i], saved.buffers[i]);
+    }
+    fill(Slot::next_positions, saved.buffers[0]);  // as load() leaves them
+    fill(Slot::next_velocities, saved.buffers[1]);
+    reschedule(schedule);
+}
+
+void GpuBackend::request_hash(std::uint64_t tag) {
+    use(Slot::positions, Use::storage);
+    use(Slot::velocities, Use::storage);
+    hasher_.request(tag, buffer(Slot::positions), buffer(Slot::velocities),
+                    static_cast<std::uint32_t>(used_bytes_[physical(Slot::positions)] / sizeof(vec4)));
+    barriers_.shader_reads(physical(Slot::positions));
+    barriers_.shader_reads(physical(Slot::velocities));
+}
 
 Bytes GpuBackend::read(Slot slot) {
     use(slot, Use::copy);

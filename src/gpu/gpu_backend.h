@@ -10,6 +10,7 @@
 #include "gl/timer.h"
 #include "gpu/barriers.h"
 #include "gpu/programs.h"
+#include "gpu/state_hasher.h"
 
 namespace ballpit::gpu {
 
@@ -27,6 +28,10 @@ public:
     void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
              std::size_t last) override;
     void swap_states() override;
+    std::unique_ptr<SavedState> save() override;
+    void restore(const SavedState& state, const Schedule& schedule) override;
+    void request_hash(std::uint64_t tag) override;
+    std::vector<TaggedHash> take_hashes() override { return hasher_.take(); }
     Bytes read(Slot slot) override;
     void write(Slot slot, std::span<const std::byte> bytes) override;
     void request(Slot slot) override;
@@ -59,6 +64,7 @@ private:
     bool swapped_ = false;
     std::array<gl::Readback, slot_count> readbacks_;
     std::array<std::size_t, slot_count> readback_bytes_{};
+    StateHasher hasher_;
     bool timing_ = false;
     gl::SpanTimer timer_;
 };

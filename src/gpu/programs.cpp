@@ -21,7 +21,8 @@ const Programs::Compiled& Programs::get(const Program& program) {
         return found->second;
     }
     const std::string file = std::string(shader_name(program.shader)) + ".comp";
-    const std::array stages = {gl::ShaderStage{GL_COMPUTE_SHADER, gl::load_shader(folder_, file, defines_of(program.features))}};
+    const std::array stages = {
+        gl::ShaderStage{GL_COMPUTE_SHADER, gl::load_shader(folder_, file, defines_of(program.features))}};
     Compiled compiled{gl::Program(stages)};
     compiled.dispatch_constants = compiled.program.uniform("dispatch_constants");
     return compiled_.emplace(program, std::move(compiled)).first->second;

@@ -16,7 +16,7 @@ public:
 
     struct Compiled {
         gl::Program program;
-        GLint dispatch_constants = -1;   // uniform location
+        GLint dispatch_constants = -1;  // uniform location
     };
 
     /// Throws gl::ShaderError with file, line and the driver's log.

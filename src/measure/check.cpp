@@ -15,7 +15,8 @@ constexpr std::size_t violations_kept = 10;
 
 class Checker {
 public:
-    Checker(Simulation& simulation, Backend& mirror) : simulation_(simulation), backend_(simulation.backend()), mirror_(mirror) {
+    Checker(Simulation& simulation, Backend& mirror)
+        : simulation_(simulation), backend_(simulation.backend()), mirror_(mirror) {
         mirror_.load(simulation.raw_state(), simulation.schedule(), simulation.settings().limit_force);
         mirror_.write(Slot::status, backend_.read(Slot::status));
     }
@@ -27,8 +28,8 @@ public:
             backend_.run(schedule, params, i, i + 1);
             mirror_.run(schedule, params, i, i + 1);
             compare(schedule.dispatches[i], params);
-            const bool stage_ends = i + 1 == schedule.dispatches.size() ||
-                                    schedule.dispatches[i + 1].stage != schedule.dispatches[i].stage;
+            const bool stage_ends =
+                i + 1 == schedule.dispatches.size() || schedule.dispatches[i + 1].stage != schedule.dispatches[i].stage;
             if (stage_ends) {
                 check_invariant(schedule, schedule.dispatches[i].stage);
             }
@@ -62,9 +63,9 @@ private:
         if (dispatch.stage != Stage::collide || slot == Slot::status) {
             return {};
         }
-        CollideBound bound = collide_bound(params, dispatch.program.features, read_slot<vec4>(backend_, Slot::positions),
-                                           read_slot<vec4>(backend_, Slot::velocities),
-                                           read_slot<float>(backend_, Slot::damping_ratios));
+        CollideBound bound = collide_bound(
+            params, dispatch.program.features, read_slot<vec4>(backend_, Slot::positions),
+            read_slot<vec4>(backend_, Slot::velocities), read_slot<float>(backend_, Slot::damping_ratios));
         return slot == Slot::next_positions ? bound.position : bound.velocity;
     }
 
@@ -94,13 +95,17 @@ private:
     Violation violation_of(const Schedule& schedule, Stage stage) {
         const auto keys = read_slot<Key>(backend_, Slot::keys);
         switch (stage) {
-            case Stage::assign_cells: return keys_assigned(keys, schedule.ball_count, schedule.cell_count);
-            case Stage::bitonic_sort: return keys_sorted(keys, schedule.ball_count);
+            case Stage::assign_cells:
+                return keys_assigned(keys, schedule.ball_count, schedule.cell_count);
+            case Stage::bitonic_sort:
+                return keys_sorted(keys, schedule.ball_count);
             case Stage::build_grid:
                 return ranges_partition(read_slot<CellRange>(backend_, Slot::cell_ranges), keys, schedule.ball_count);
-            case Stage::collide: break;
+            case Stage::collide:
+                break;
         }
-        return all_finite(read_slot<vec4>(backend_, Slot::next_positions), read_slot<vec4>(backend_, Slot::next_velocities));
+        return all_finite(read_slot<vec4>(backend_, Slot::next_positions),
+                          read_slot<vec4>(backend_, Slot::next_velocities));
     }
 
     void check_invariant(const Schedule& schedule, Stage stage) {

@@ -20,16 +20,16 @@ struct CheckRow {
     std::uint64_t beyond_bound = 0;
     std::uint64_t max_ulp = 0;
     double max_error = 0.0;
-    double of_bound = 0.0;        // comparison.h
-    std::string first;            // "substep 3, bitonic_sort k=8 j=2, slot 12: GPU (…), CPU (…)"
+    double of_bound = 0.0;  // comparison.h
+    std::string first;      // "substep 3, bitonic_sort k=8 j=2, slot 12: GPU (…), CPU (…)"
 };
 
 struct CheckReport {
     std::uint64_t steps = 0;
     std::uint64_t substeps = 0;
     std::uint64_t dispatches = 0;
-    std::vector<CheckRow> rows;                 // in the order of the stages
-    std::vector<std::string> violations;        // invariants broken on the backend under test, the first few
+    std::vector<CheckRow> rows;           // in the order of the stages
+    std::vector<std::string> violations;  // invariants broken on the backend under test, the first few
     std::uint64_t violation_count = 0;
 
     bool passed() const;

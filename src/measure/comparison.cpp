@@ -15,7 +15,7 @@ namespace {
 
 // How the elements of a slot are made up, and what they are called.
 struct Form {
-    std::size_t words;        // 32-bit words an element
+    std::size_t words;  // 32-bit words an element
     bool floats;
     std::string_view element;
 };
@@ -53,7 +53,8 @@ double distance(const std::uint32_t* a, const std::uint32_t* b, std::size_t word
         if (a[i] == b[i]) {
             continue;
         }
-        const double d = std::abs(static_cast<double>(std::bit_cast<float>(a[i])) - static_cast<double>(std::bit_cast<float>(b[i])));
+        const double d =
+            std::abs(static_cast<double>(std::bit_cast<float>(a[i])) - static_cast<double>(std::bit_cast<float>(b[i])));
         largest = std::isnan(d) ? INFINITY : std::max(largest, d);
     }
     return largest;
@@ -110,7 +111,8 @@ Comparison compare_slot(Slot slot, std::span<const std::byte> gpu, std::span<con
             result.of_bound = beyond ? result.of_bound : std::max(result.of_bound, error / bounds[i]);
             result.max_error = std::max(result.max_error, error);
             for (std::size_t w = 0; w < form.words; ++w) {
-                result.max_ulp = std::max(result.max_ulp, ulp_distance(std::bit_cast<float>(in_a[w]), std::bit_cast<float>(in_b[w])));
+                result.max_ulp = std::max(result.max_ulp,
+                                          ulp_distance(std::bit_cast<float>(in_a[w]), std::bit_cast<float>(in_b[w])));
             }
         }
         result.beyond_bound += beyond ? 1 : 0;

@@ -11,8 +11,8 @@
 namespace ballpit::measure {
 
 struct CollideBound {
-    std::vector<double> position;   // m, one a ball
-    std::vector<double> velocity;   // m/s, one a ball
+    std::vector<double> position;  // m, one a ball
+    std::vector<double> velocity;  // m/s, one a ball
 };
 
 /// From the state before the substep (positions and velocities as in the slots; damping_ratios may be empty).

@@ -68,7 +68,8 @@ Violation ranges_partition(std::span<const CellRange> cell_ranges, std::span<con
         const std::string text = "cell " + std::to_string(cell) + " has slots [" + std::to_string(range.first) + ", " +
                                  std::to_string(range.end) + ")";
         if (range.first != next || range.end <= range.first || range.end > ball_count || range.end > keys.size()) {
-            return text + ", expected to start at " + std::to_string(next) + " and to end by " + std::to_string(ball_count);
+            return text + ", expected to start at " + std::to_string(next) + " and to end by " +
+                   std::to_string(ball_count);
         }
         for (std::uint32_t slot = range.first; slot < range.end; ++slot) {
             if (keys[slot].cell_id != cell) {

@@ -10,10 +10,10 @@
 namespace ballpit::measure {
 
 struct Occupancy {
-    std::vector<std::uint32_t> histogram;   // [balls in a cell] -> cells; empty cells at index 0
-    std::uint32_t occupied = 0;             // cells with at least one ball
-    std::uint32_t max = 0;                  // balls in the fullest cell
-    double mean_occupied = 0.0;             // balls in an occupied cell, on average
+    std::vector<std::uint32_t> histogram;  // [balls in a cell] -> cells; empty cells at index 0
+    std::uint32_t occupied = 0;            // cells with at least one ball
+    std::uint32_t max = 0;                 // balls in the fullest cell
+    double mean_occupied = 0.0;            // balls in an occupied cell, on average
 };
 
 /// Counts above `longest - 1` share the histogram's last bin.

@@ -19,7 +19,8 @@ struct Entry {
 // Far-away coordinates are clamped: that keeps the order of cells, so neighbours stay neighbours.
 std::int64_t cell_along(float coordinate, double width) {
     constexpr double farthest = 1e15;
-    return static_cast<std::int64_t>(std::clamp(std::floor(static_cast<double>(coordinate) / width), -farthest, farthest));
+    return static_cast<std::int64_t>(
+        std::clamp(std::floor(static_cast<double>(coordinate) / width), -farthest, farthest));
 }
 
 std::vector<Entry> sorted_entries(std::span<const vec4> positions) {

@@ -1,0 +1,238 @@
+#include "core/stepper.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace ballpit {
+
+namespace {
+
+// Steps fit below, the epoch above.
+constexpr std::uint64_t step_bits = 40;
+
+std::uint64_t tag_of(std::uint64_t epoch, std::uint64_t step) { return epoch << step_bits | step; }
+
+std::optional<std::uint32_t> first_difference(const BallState& a, const BallState& b) {
+    const std::uint32_t common = std::min(a.count(), b.count());
+    for (std::uint32_t i = 0; i < common; ++i) {
+        if (std::memcmp(&a.positions[i], &b.positions[i], sizeof(vec4)) != 0 ||
+            std::memcmp(&a.velocities[i], &b.velocities[i], sizeof(vec4)) != 0) {
+            return i;
+        }
+    }
+    return a.count() == b.count() ? std::nullopt : std::optional(common);
+}
+
+}  // namespace
+
+Stepper::Stepper(Simulation& simulation, std::size_t checkpoint_budget)
+    : simulation_(simulation), timeline_(checkpoint_budget) {
+    reset();
+}
+
+void Stepper::reset() {
+    timeline_.clear();
+    dispatch_ = 0;
+    schedule_.reset();
+    divergence_.reset();
+    ++epoch_;
+    timeline_.add(moment(), simulation_.checkpoint());
+    simulation_.backend().request_hash(tag_of(epoch_, moment().step));
+}
+
+void Stepper::change(const Settings& settings) {
+    if (settings == simulation_.settings()) {
+        return;
+    }
+    go_to({moment(), 0});
+    simulation_.change(settings);  // may throw: then nothing is remembered
+    schedule_.reset();
+    ++epoch_;
+    timeline_.change(moment(), settings);
+    timeline_.add(moment(), simulation_.checkpoint());
+}
+
+const Schedule& Stepper::schedule() {
+    if (!schedule_) {
+        const Schedule& running = simulation_.schedule();
+        schedule_ = make_schedule(running.ball_count, running.grid, running.features, SortMethod::bitonic);
+    }
+    return *schedule_;
+}
+
+void Stepper::run_dispatches(std::uint32_t last) {
+    simulation_.backend().run(schedule(), simulation_.params(), dispatch_, last);
+    dispatch_ = last;
+    if (dispatch_ == dispatches()) {
+        const Moment before = moment();
+        simulation_.end_substep();
+        arrive(before.step, before.substep);
+    }
+}
+
+void Stepper::finish_substep() {
+    if (dispatch_ > 0) {
+        run_dispatches(dispatches());
+        return;
+    }
+    const Moment before = moment();
+    simulation_.substep();
+    arrive(before.step, before.substep);
+}
+
+// A new moment: what took hold here when it was first reached takes hold again.
+void Stepper::arrive(std::uint64_t step_before, std::uint32_t substep_before) {
+    dispatch_ = 0;
+    const Moment now = moment();
+    if (now.step != step_before) {
+        timeline_.record_substeps(step_before, substep_before + 1);
+        simulation_.backend().request_hash(tag_of(epoch_, now.step));
+    }
+    for (const Settings& settings : timeline_.changes_at(now)) {
+        simulation_.change(settings);
+        schedule_.reset();
+    }
+    if (now.substep == 0) {
+        remember();
+    }
+}
+
+// Keeps a checkpoint a step, or fewer where a state is so large that the budget would hold only a few.
+void Stepper::remember() {
+    constexpr std::size_t wanted_checkpoints = 16;
+    const Moment now = moment();
+    if (timeline_.budget() == 0 || timeline_.has(now)) {
+        return;
+    }
+    const std::size_t bytes = simulation_.schedule().ball_count * 2 * sizeof(vec4);
+    const std::size_t interval = bytes * wanted_checkpoints / timeline_.budget() + 1;
+    if (now.step % interval == 0) {
+        timeline_.add(now, simulation_.checkpoint());
+    }
+}
+
+void Stepper::restore(const Moment& moment) {
+    simulation_.restore(timeline_.at_or_before(moment).second);
+    dispatch_ = 0;
+    schedule_.reset();
+}
+
+void Stepper::run_to(const Moment& target) {
+    while (moment() < target) {
+        finish_substep();
+    }
+}
+
+void Stepper::go_to(const Position& target) {
+    if (target < position()) {
+        // From one substep earlier, so that keys and cells, too, are what the substep before left behind.
+        restore(previous_moment(target.moment).value_or(target.moment));
+    }
+    run_to(target.moment);
+    const std::uint32_t wanted = std::min(target.dispatch, dispatches());
+    if (wanted > dispatch_) {
+        run_dispatches(wanted);
+    }
+}
+
+std::uint32_t Stepper::stage_end(std::uint32_t dispatch) {
+    const auto& list = schedule().dispatches;
+    std::uint32_t end = dispatch + 1;
+    while (end < list.size() && list[end].stage == list[dispatch].stage) {
+        ++end;
+    }
+    return end;
+}
+
+std::uint32_t Stepper::stage_start(std::uint32_t dispatch) {
+    const auto& list = schedule().dispatches;
+    while (dispatch > 0 && list[dispatch - 1].stage == list[dispatch].stage) {
+        --dispatch;
+    }
+    return dispatch;
+}
+
+void Stepper::forward(StepUnit unit) {
+    const bool empty = dispatches() == 0;  // no balls: a substep has no parts
+    switch (unit) {
+        case StepUnit::pass:
+            return empty ? finish_substep() : run_dispatches(dispatch_ + 1);
+        case StepUnit::stage:
+            return empty ? finish_substep() : run_dispatches(stage_end(dispatch_));
+        case StepUnit::substep:
+            return finish_substep();
+        case StepUnit::step:
+            return to_step_end();
+    }
+}
+
+std::optional<Moment> Stepper::previous_moment(const Moment& now) const {
+    if (now <= timeline_.start()) {
+        return std::nullopt;
+    }
+    return now.substep > 0 ? Moment{now.step, now.substep - 1}
+                           : Moment{now.step - 1, timeline_.substeps_of(now.step - 1) - 1};
+}
+
+void Stepper::back(StepUnit unit) {
+    const Position now = position();
+    if (unit == StepUnit::step && (now.moment.substep > 0 || now.dispatch > 0)) {
+        return to_step_start();
+    }
+    if (now.dispatch > 0) {
+        switch (unit) {
+            case StepUnit::pass:
+                return go_to({now.moment, now.dispatch - 1});
+            case StepUnit::stage:
+                return go_to({now.moment, stage_start(now.dispatch - 1)});
+            case StepUnit::substep:
+            case StepUnit::step:
+                return go_to({now.moment, 0});
+        }
+    }
+    const std::optional<Moment> before = previous_moment(now.moment);
+    if (!before) {
+        return;
+    }
+    go_to({unit == StepUnit::step ? std::max(Moment{before->step, 0}, timeline_.start()) : *before, 0});
+    if (dispatches() == 0) {
+        return;
+    }
+    const std::uint32_t last = dispatches() - 1;
+    if (unit == StepUnit::pass && last > 0) {
+        run_dispatches(last);
+    } else if (unit == StepUnit::stage && stage_start(last) > 0) {
+        run_dispatches(stage_start(last));
+    }
+}
+
+void Stepper::to_step_start() { go_to({std::max(Moment{moment().step, 0}, timeline_.start()), 0}); }
+
+void Stepper::to_step_end() { run_to({moment().step + 1, 0}); }
+
+void Stepper::update() {
+    for (const TaggedHash& arrived : simulation_.backend().take_hashes()) {
+        const std::uint64_t step = arrived.tag & ((1ull << step_bits) - 1);
+        if (arrived.tag >> step_bits == epoch_ && !timeline_.record_hash(step, arrived.hash) && !divergence_) {
+            locate_divergence(step);
+        }
+    }
+}
+
+// Compares the bytes of the first run, where a checkpoint has them, with those of another replay.
+void Stepper::locate_divergence(std::uint64_t step) {
+    divergence_ = Divergence{step, std::nullopt};
+    const Moment at{step, 0};
+    if (!timeline_.has(at) || at == timeline_.start()) {
+        return;
+    }
+    const Position now = position();
+    restore(at);
+    const BallState first = simulation_.raw_state();
+    restore(*previous_moment(at));
+    run_to(at);
+    divergence_->ball = first_difference(first, simulation_.raw_state());
+    go_to(now);
+}
+
+}  // namespace ballpit

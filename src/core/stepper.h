@@ -1,0 +1,86 @@
+// Runs a simulation forth and back in any unit, down to a single dispatch. Back is a checkpoint and a replay: the
+// same dispatches on the same bytes give the same bytes, and a hash a step proves it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/simulation.h"
+#include "core/timeline.h"
+
+namespace ballpit {
+
+enum class StepUnit : std::uint8_t { pass, stage, substep, step };
+inline constexpr std::array<std::string_view, 4> step_unit_names = {"pass", "stage", "substep", "step"};
+
+/// `dispatch` dispatches of the substep that starts at `moment` have run: fewer than its schedule has, because after
+/// the last one the next moment has begun.
+struct Position {
+    Moment moment;
+    std::uint32_t dispatch = 0;
+    friend auto operator<=>(const Position&, const Position&) = default;
+};
+
+/// A replay that did not arrive at the bytes of the first run.
+struct Divergence {
+    std::uint64_t step = 0;
+    std::optional<std::uint32_t> ball;  // the first one that differs, where the bytes of the first run are still there
+};
+
+class Stepper {
+public:
+    /// The timeline starts at the simulation's present moment. The simulation must outlive the stepper, and be run
+    /// through it alone.
+    Stepper(Simulation& simulation, std::size_t checkpoint_budget);
+
+    /// After another scene, seed or backend: the timeline starts anew, here.
+    void reset();
+    /// Simulation::change, remembered. Within a substep, the substep starts again with the new settings.
+    void change(const Settings& settings);
+
+    Position position() const { return {moment(), dispatch_}; }
+    /// The substep as it is stepped through: sorted pass by pass, whatever the sort is that runs.
+    const Schedule& schedule();
+
+    void forward(StepUnit unit);
+    void back(StepUnit unit);  // at the start: nothing
+    void to_step_start();
+    void to_step_end();
+    /// Any position that has been reached before, or lies ahead.
+    void go_to(const Position& target);
+
+    /// Takes the hashes that the device has ready and compares them with what is remembered.
+    void update();
+    const std::optional<Divergence>& divergence() const { return divergence_; }
+    /// Hash of the state at the start of a step, once it is known.
+    std::optional<std::uint64_t> hash(std::uint64_t step) const { return timeline_.hash(step); }
+
+    const Timeline& timeline() const { return timeline_; }
+    void set_budget(std::size_t bytes) { timeline_.set_budget(bytes); }
+
+private:
+    Moment moment() const { return {simulation_.step_count(), simulation_.substep_in_step()}; }
+    std::uint32_t dispatches() { return static_cast<std::uint32_t>(schedule().dispatches.size()); }
+    void run_dispatches(std::uint32_t last);
+    void finish_substep();
+    void arrive(std::uint64_t step_before, std::uint32_t substep_before);
+    void restore(const Moment& moment);
+    void run_to(const Moment& target);
+    void remember();
+    void locate_divergence(std::uint64_t step);
+    std::optional<Moment> previous_moment(const Moment& moment) const;
+    std::uint32_t stage_end(std::uint32_t dispatch);
+    std::uint32_t stage_start(std::uint32_t dispatch);
+
+    Simulation& simulation_;
+    Timeline timeline_;
+    std::uint32_t dispatch_ = 0;
+    std::optional<Schedule> schedule_;  // of this moment, made when it is asked for
+    std::uint64_t epoch_ = 0;           // tells hashes of a timeline that was left from those of this one
+    std::optional<Divergence> divergence_;
+};
+
+}  // namespace ballpit

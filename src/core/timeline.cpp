@@ -1,0 +1,97 @@
+#include "core/timeline.h"
+
+#include <cassert>
+#include <iterator>
+#include <utility>
+
+namespace ballpit {
+
+void Timeline::clear() {
+    checkpoints_.clear();
+    changes_.clear();
+    steps_.clear();
+    used_ = 0;
+}
+
+void Timeline::set_budget(std::size_t bytes) {
+    budget_ = bytes;
+    shrink();
+}
+
+void Timeline::add(const Moment& moment, Checkpoint checkpoint) {
+    const std::size_t bytes = checkpoint.state->bytes();
+    const auto [place, added] = checkpoints_.try_emplace(moment, std::move(checkpoint));
+    if (added) {
+        used_ += bytes;
+        shrink();
+    }
+}
+
+void Timeline::shrink() {
+    while (used_ > budget_ && checkpoints_.size() > 2) {
+        const double newest = static_cast<double>(checkpoints_.rbegin()->first.step) + 1.0;
+        auto victim = checkpoints_.end();
+        double smallest = 0.0;
+        for (auto it = std::next(checkpoints_.begin()); std::next(it) != checkpoints_.end(); ++it) {
+            const double gap = static_cast<double>(std::next(it)->first.step - std::prev(it)->first.step);
+            const double age = newest - static_cast<double>(it->first.step);
+            if (victim == checkpoints_.end() || gap / age < smallest) {
+                victim = it;
+                smallest = gap / age;
+            }
+        }
+        used_ -= victim->second.state->bytes();
+        checkpoints_.erase(victim);
+    }
+}
+
+const std::pair<const Moment, Checkpoint>& Timeline::at_or_before(const Moment& moment) const {
+    auto after = checkpoints_.upper_bound(moment);
+    assert(after != checkpoints_.begin());
+    return *std::prev(after);
+}
+
+void Timeline::change(const Moment& moment, const Settings& settings) {
+    for (auto it = checkpoints_.lower_bound(moment); it != checkpoints_.end(); it = checkpoints_.erase(it)) {
+        used_ -= it->second.state->bytes();
+    }
+    changes_.erase(changes_.upper_bound(moment), changes_.end());
+    changes_[moment].push_back(settings);
+    // On arriving at this step the state was what it was; only what comes after it is open again.
+    if (steps_.size() > moment.step + 1) {
+        steps_.resize(moment.step + 1);
+    }
+}
+
+std::span<const Settings> Timeline::changes_at(const Moment& moment) const {
+    const auto found = changes_.find(moment);
+    return found == changes_.end() ? std::span<const Settings>() : std::span(found->second);
+}
+
+Timeline::StepRecord& Timeline::record(std::uint64_t step) {
+    if (steps_.size() <= step) {
+        steps_.resize(step + 1);
+    }
+    return steps_[step];
+}
+
+void Timeline::record_substeps(std::uint64_t step, std::uint32_t substeps) { record(step).substeps = substeps; }
+
+std::uint32_t Timeline::substeps_of(std::uint64_t step) const {
+    return step < steps_.size() ? steps_[step].substeps : 0;
+}
+
+bool Timeline::record_hash(std::uint64_t step, std::uint64_t hash) {
+    StepRecord& remembered = record(step);
+    if (remembered.hash && *remembered.hash != hash) {
+        return false;
+    }
+    remembered.hash = hash;
+    return true;
+}
+
+std::optional<std::uint64_t> Timeline::hash(std::uint64_t step) const {
+    return step < steps_.size() ? steps_[step].hash : std::nullopt;
+}
+
+}  // namespace ballpit
