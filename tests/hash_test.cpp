@@ -1,30 +1,31 @@
-// The state hash: published values of its mixer, and what it must tell apart.
+// The state hash: mixes well, sees every bit and every place, and adds up in any order.
 #include "core/hash.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/ball_state.h"
 #include "support/catch.h"
 
 using namespace ballpit;
 
-TEST_CASE("words are mixed by MurmurHash3's finaliser", "[core]") {
-    CHECK(mix_word(0u) == 0u);
-    CHECK(mix_word(1u) == 0x514E28B7u);
-    CHECK(mix_word(0xFFFFFFFFu) == 0x81F16F39u);
+TEST_CASE("words are mixed by the finaliser of MurmurHash3", "[core]") {
+    CHECK(mix_word(0) == 0u);
+    CHECK(mix_word(1) == 0x514E28B7u);
+    CHECK(mix_word(2) == 0x30F4C306u);
 }
 
-TEST_CASE("the hash does not depend on the order of adding, but on the place", "[core]") {
-    HashSum forth;
-    HashSum back;
+TEST_CASE("the sum does not depend on the order, but on the places", "[core]") {
+    HashSum forwards;
+    HashSum backwards;
     HashSum exchanged;
     for (std::uint32_t i = 0; i < 100; ++i) {
-        forth.add(i * i, i);
-        back.add((99 - i) * (99 - i), 99 - i);
-        exchanged.add(i * i, i < 2 ? 1 - i : i);
+        forwards.add(i * i, i);
+        backwards.add((99 - i) * (99 - i), 99 - i);
+        exchanged.add(i * i, i == 3 ? 4 : i == 4 ? 3 : i);
     }
-    CHECK(forth.value() == back.value());
-    CHECK(forth.value() != exchanged.value());
+    CHECK(forwards.value() == backwards.value());
+    CHECK(forwards.value() != exchanged.value());
 }
 
 TEST_CASE("the hash of a state sees one bit of a position and of a velocity", "[core]") {
@@ -36,4 +37,18 @@ TEST_CASE("the hash of a state sees one bit of a position and of a velocity", "[
     CHECK(moved != before);
     state.velocities[0].x = -state.velocities[0].x;
     CHECK(hash_state(state) != moved);
+}
+
+TEST_CASE("the hash of a state sees two balls exchanged, one missing, and position put for velocity", "[core]") {
+    BallState state{{vec4(1.0f), vec4(2.0f)}, {vec4(3.0f), vec4(4.0f)}, {}, 0.0};
+    const std::uint64_t before = hash_state(state);
+    BallState other = state;
+    std::swap(other.positions[0], other.positions[1]);
+    CHECK(hash_state(other) != before);
+    std::swap(state.positions, state.velocities);
+    CHECK(hash_state(state) != before);
+    state.positions.pop_back();
+    state.velocities.pop_back();
+    CHECK(hash_state(state) != before);
+    CHECK(hash_state(BallState{}) == 0);
 }
