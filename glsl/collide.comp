@@ -24,9 +24,14 @@ struct Ball {
 
 #include "shared/contact.glsl"
 #ifdef LAW_CONTACT
+#include "shared/pair.glsl"
+#ifdef NEIGHBOURS_BRUTE_FORCE
+#include "shared/brute_force.glsl"
+#else
 #include "shared/keys.glsl"
 #include "shared/cells.glsl"
 #include "shared/neighbours.glsl"
+#endif
 #endif
 #ifdef LAW_WALLS
 #include "shared/walls.glsl"

@@ -13,19 +13,28 @@ namespace ballpit {
 enum class Feature : std::uint32_t {
     gravity = 1u << 0,
     drag = 1u << 1,
-    contact = 1u << 2,            // ball-ball spring: needs the grid
-    dashpot = 1u << 3,            // restitution below 1: reads the neighbours' velocities
-    limit_force = 1u << 4,        // a contact never pulls
+    contact = 1u << 2,      // ball-ball spring: needs the grid
+    dashpot = 1u << 3,      // restitution below 1: reads the neighbours' velocities
+    limit_force = 1u << 4,  // a contact never pulls
     walls = 1u << 5,
-    ball_restitution = 1u << 6,   // some ball has a restitution of its own
-    velocity_verlet = 1u << 7,    // integrators; none of these three means kick, then drift
+    ball_restitution = 1u << 6,  // some ball has a restitution of its own
+    velocity_verlet = 1u << 7,   // integrators; none of these three means kick, then drift
     forward_euler = 1u << 8,
     historical = 1u << 9,
+    brute_force = 1u << 10,  // neighbours: every other ball, no grid
 };
 
-inline constexpr std::array<std::string_view, 10> feature_defines = {
-    "LAW_GRAVITY", "LAW_DRAG", "LAW_CONTACT", "LAW_DASHPOT", "LAW_LIMIT_FORCE", "LAW_WALLS",
-    "LAW_BALL_RESTITUTION", "INTEGRATOR_VELOCITY_VERLET", "INTEGRATOR_FORWARD_EULER", "INTEGRATOR_HISTORICAL"};
+inline constexpr std::array<std::string_view, 11> feature_defines = {"LAW_GRAVITY",
+                                                                     "LAW_DRAG",
+                                                                     "LAW_CONTACT",
+                                                                     "LAW_DASHPOT",
+                                                                     "LAW_LIMIT_FORCE",
+                                                                     "LAW_WALLS",
+                                                                     "LAW_BALL_RESTITUTION",
+                                                                     "INTEGRATOR_VELOCITY_VERLET",
+                                                                     "INTEGRATOR_FORWARD_EULER",
+                                                                     "INTEGRATOR_HISTORICAL",
+                                                                     "NEIGHBOURS_BRUTE_FORCE"};
 
 struct Features {
     std::uint32_t bits = 0;

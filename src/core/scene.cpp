@@ -25,6 +25,7 @@ Features scene_features(const Scene& scene, const Settings& settings) {
     features.add(Feature::velocity_verlet, settings.integrator == Integrator::velocity_verlet);
     features.add(Feature::forward_euler, settings.integrator == Integrator::forward_euler);
     features.add(Feature::historical, settings.integrator == Integrator::historical);
+    features.add(Feature::brute_force, scene.laws.contact && settings.neighbours == NeighbourSearch::brute_force);
     return features;
 }
 

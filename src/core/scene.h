@@ -26,10 +26,10 @@ struct BallSpec {
 /// `count` balls put at random into `region` without touching each other, as long as they fit.
 struct Fill {
     std::uint32_t count = 0;
-    std::array<double, 2> radius{0.1, 0.1};   // m, uniform between the two
-    double density = 1000.0;                  // kg/m^3
-    double speed = 0.0;                       // m/s, the same for all, in random directions
-    std::array<dvec3, 2> region{};            // m, lower and upper corner; holds whole balls
+    std::array<double, 2> radius{0.1, 0.1};  // m, uniform between the two
+    double density = 1000.0;                 // kg/m^3
+    double speed = 0.0;                      // m/s, the same for all, in random directions
+    std::array<dvec3, 2> region{};           // m, lower and upper corner; holds whole balls
     std::uint64_t seed = 0;
 };
 
@@ -49,7 +49,7 @@ struct Scene {
     /// so that a pile is as deep at every count.
     std::uint32_t reference_count = 0;
     Laws laws;
-    Settings settings;                        // settings.balls == balls.size() + fill count
+    Settings settings;  // settings.balls == balls.size() + fill count
     std::vector<BallSpec> balls;
     std::optional<Fill> fill;
 };

@@ -7,21 +7,26 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::uint32_t widest_dispatch = 65535;   // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least this
+constexpr std::uint32_t widest_dispatch = 65535;  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least this
 constexpr std::uint32_t folded_width = 32768;
 
+bool needs_grid(Features features) { return features.has(Feature::contact) && !features.has(Feature::brute_force); }
+
 // Features that each shader looks at; the others must not split its permutations.
-Features relevant(Shader shader, Features features) {
-    return shader == Shader::collide ? features : Features{};
-}
+Features relevant(Shader shader, Features features) { return shader == Shader::collide ? features : Features{}; }
 
 struct Builder {
     Schedule& schedule;
 
     void add(Stage stage, std::string name, Shader shader, Groups groups, std::array<std::uint32_t, 4> constants,
              std::vector<Slot> reads, std::vector<Slot> writes) const {
-        schedule.dispatches.push_back({stage, std::move(name), {shader, relevant(shader, schedule.features)}, groups,
-                                       constants, std::move(reads), std::move(writes)});
+        schedule.dispatches.push_back({stage,
+                                       std::move(name),
+                                       {shader, relevant(shader, schedule.features)},
+                                       groups,
+                                       constants,
+                                       std::move(reads),
+                                       std::move(writes)});
     }
 
     void pass(std::uint32_t k, std::uint32_t j) const {
@@ -32,9 +37,10 @@ struct Builder {
 
     // All passes with k_first <= k <= k_last and j <= j_first that stay inside a tile.
     void fused(std::uint32_t k_first, std::uint32_t k_last, std::uint32_t j_first) const {
-        const std::string name = k_first == k_last
-            ? "bitonic_sort_fused k=" + std::to_string(k_first) + " j=" + std::to_string(j_first) + "..1"
-            : "bitonic_sort_fused k=" + std::to_string(k_first) + ".." + std::to_string(k_last);
+        const std::string name =
+            k_first == k_last
+                ? "bitonic_sort_fused k=" + std::to_string(k_first) + " j=" + std::to_string(j_first) + "..1"
+                : "bitonic_sort_fused k=" + std::to_string(k_first) + ".." + std::to_string(k_last);
         const std::uint32_t tiles = std::max(1u, schedule.key_count / SORT_TILE_SIZE);
         add(Stage::bitonic_sort, name, Shader::bitonic_sort_fused, groups_for(tiles, 1), {k_first, k_last, j_first, 0},
             {Slot::keys}, {Slot::keys});
@@ -75,7 +81,7 @@ struct Builder {
 
     void collide() const {
         std::vector<Slot> reads{Slot::positions, Slot::velocities, Slot::status};
-        if (schedule.features.has(Feature::contact)) {
+        if (needs_grid(schedule.features)) {
             reads.insert(reads.end(), {Slot::keys, Slot::cell_ranges});
         }
         if (schedule.features.has(Feature::ball_restitution)) {
@@ -105,7 +111,7 @@ Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features feat
         return schedule;
     }
     const Builder builder{schedule};
-    if (features.has(Feature::contact)) {
+    if (needs_grid(features)) {
         schedule.key_count = std::bit_ceil(ball_count);
         schedule.cell_count = grid.cell_count();
         builder.build_neighbour_grid(sort);

@@ -16,14 +16,15 @@
 namespace ballpit {
 
 enum class Stage : std::uint8_t { assign_cells, bitonic_sort, build_grid, collide };
-inline constexpr std::array<std::string_view, 4> stage_names = {"assign_cells", "bitonic_sort", "build_grid", "collide"};
+inline constexpr std::array<std::string_view, 4> stage_names = {"assign_cells", "bitonic_sort", "build_grid",
+                                                                "collide"};
 inline constexpr std::size_t stage_count = stage_names.size();
 constexpr std::string_view stage_name(Stage stage) { return stage_names[static_cast<std::size_t>(stage)]; }
 
 /// Shader files glsl/<name>.comp, each with a mirror src/cpu/<name>.cpp.
 enum class Shader : std::uint8_t { assign_cells, bitonic_sort, bitonic_sort_fused, clear_cells, build_grid, collide };
-inline constexpr std::array<std::string_view, 6> shader_names = {
-    "assign_cells", "bitonic_sort", "bitonic_sort_fused", "clear_cells", "build_grid", "collide"};
+inline constexpr std::array<std::string_view, 6> shader_names = {"assign_cells", "bitonic_sort", "bitonic_sort_fused",
+                                                                 "clear_cells",  "build_grid",   "collide"};
 constexpr std::string_view shader_name(Shader shader) { return shader_names[static_cast<std::size_t>(shader)]; }
 
 /// The buffers, by the role they play in a substep; the values are their bindings.
@@ -59,12 +60,12 @@ struct Groups {
 
 struct Dispatch {
     Stage stage{};
-    std::string name;                             // unique within the schedule: label, timer, panel row, test
+    std::string name;  // unique within the schedule: label, timer, panel row, test
     Program program;
     Groups groups;
-    std::array<std::uint32_t, 4> constants{};     // uniform uvec4 dispatch_constants
+    std::array<std::uint32_t, 4> constants{};  // uniform uvec4 dispatch_constants
     std::vector<Slot> reads;
-    std::vector<Slot> writes;                     // a slot may be in both
+    std::vector<Slot> writes;  // a slot may be in both
 };
 
 /// One substep, and what the buffers must hold for it.
@@ -73,14 +74,14 @@ struct Schedule {
     Features features;
     Grid grid;
     std::uint32_t ball_count = 0;
-    std::uint32_t key_count = 0;                  // 0 where no grid is needed
+    std::uint32_t key_count = 0;  // 0 where no grid is needed
     std::uint32_t cell_count = 0;
 };
 
 /// Groups that cover this many invocations of groups of `group_size`.
 Groups groups_for(std::uint32_t invocations, std::uint32_t group_size);
 
-/// The dispatches of a substep. No balls: an empty list. No contact law: a single `collide`, without a grid.
+/// The dispatches of a substep. No balls: an empty list. No contact law, or brute force: a single `collide`, no grid.
 Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort);
 
 }  // namespace ballpit

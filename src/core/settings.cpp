@@ -16,13 +16,13 @@ namespace {
 
 constexpr Feature always{};
 
-constexpr std::array<SettingInfo, 11> table = {{
+constexpr std::array<SettingInfo, 12> table = {{
     {"balls", "Balls", "", 0, maximum_balls, true, always,
      "How many balls; those that stay keep their motion when the number changes.", &Settings::balls},
-    {"gravity", "Gravity", "m/s^2", -100, 100, false, Feature::gravity,
-     "Acceleration of every ball as x,y,z; z is up.", &Settings::gravity},
-    {"drag", "Drag", "1/s", 0, 100, true, Feature::drag,
-     "Linear drag: without forces the speed falls by exp(-drag t).", &Settings::drag},
+    {"gravity", "Gravity", "m/s^2", -100, 100, false, Feature::gravity, "Acceleration of every ball as x,y,z; z is up.",
+     &Settings::gravity},
+    {"drag", "Drag", "1/s", 0, 100, true, Feature::drag, "Linear drag: without forces the speed falls by exp(-drag t).",
+     &Settings::drag},
     {"stiffness", "Stiffness", "N/m", 0, 1e8, true, Feature::contact,
      "Spring constant k of every contact: force per metre of overlap.", &Settings::stiffness},
     {"restitution", "Restitution", "", minimum_restitution, 1, false, Feature::dashpot,
@@ -33,13 +33,16 @@ constexpr std::array<SettingInfo, 11> table = {{
      "Time from one displayed frame to the next; a substep is dt / substeps.", &Settings::dt},
     {"substeps", "Substeps", "", 1, 1024, true, always,
      "Runs of all stages in a step: more are slower and more accurate.", &Settings::substeps},
-    {"integrator", "Integrator", "", 0, 0, false, always,
-     "How velocity and position are advanced.", &Settings::integrator},
+    {"integrator", "Integrator", "", 0, 0, false, always, "How velocity and position are advanced.",
+     &Settings::integrator},
     {"sort", "Sort", "", 0, 0, false, Feature::contact,
      "How the keys are sorted: pass by pass, or with the inner passes fused in shared memory.", &Settings::sort},
     {"cell_factor", "Cell factor", "", 0.25, 8, true, Feature::contact,
      "Cell width over the largest diameter; below 1 the grid misses pairs, which is there to be shown.",
      &Settings::cell_factor},
+    {"neighbours", "Neighbours", "", 0, 0, false, Feature::contact,
+     "Whether a ball looks for its neighbours in the cells around it, or asks every other ball.",
+     &Settings::neighbours},
 }};
 
 template <class Number>
@@ -117,6 +120,7 @@ struct Assign {
     }
     void operator()(Integrator Settings::*member) const { assign_choice(info, text, settings.*member); }
     void operator()(SortMethod Settings::*member) const { assign_choice(info, text, settings.*member); }
+    void operator()(NeighbourSearch Settings::*member) const { assign_choice(info, text, settings.*member); }
 };
 
 struct Text {
@@ -135,6 +139,9 @@ struct Text {
     std::string operator()(SortMethod Settings::*member) const {
         return std::string(sort_names.at(static_cast<std::size_t>(settings.*member)));
     }
+    std::string operator()(NeighbourSearch Settings::*member) const {
+        return std::string(neighbour_search_names.at(static_cast<std::size_t>(settings.*member)));
+    }
 };
 
 }  // namespace
@@ -152,6 +159,9 @@ std::span<const std::string_view> setting_choices(const SettingInfo& info) {
     }
     if (std::holds_alternative<SortMethod Settings::*>(info.member)) {
         return sort_names;
+    }
+    if (std::holds_alternative<NeighbourSearch Settings::*>(info.member)) {
+        return neighbour_search_names;
     }
     return {};
 }

@@ -17,6 +17,10 @@ namespace ballpit {
 enum class SortMethod { bitonic, bitonic_fused };
 inline constexpr std::array<std::string_view, 2> sort_names = {"bitonic", "bitonic_fused"};
 
+/// How collide finds the neighbours of a ball: in the cells around it, or by asking every other ball.
+enum class NeighbourSearch { grid, brute_force };
+inline constexpr std::array<std::string_view, 2> neighbour_search_names = {"grid", "brute_force"};
+
 struct Settings {
     std::uint32_t balls = 0;
     dvec3 gravity{0.0, 0.0, -9.8};
@@ -29,6 +33,7 @@ struct Settings {
     Integrator integrator = Integrator::leapfrog;
     SortMethod sort = SortMethod::bitonic_fused;
     double cell_factor = 1.0;
+    NeighbourSearch neighbours = NeighbourSearch::grid;
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -36,17 +41,17 @@ struct Settings {
 inline constexpr std::uint32_t maximum_balls = 1u << 22;
 
 using SettingMember = std::variant<double Settings::*, std::uint32_t Settings::*, bool Settings::*, dvec3 Settings::*,
-                                   Integrator Settings::*, SortMethod Settings::*>;
+                                   Integrator Settings::*, SortMethod Settings::*, NeighbourSearch Settings::*>;
 
 struct SettingInfo {
-    std::string_view key;      // as in --set and in scene files
-    std::string_view label;    // as on the panel
-    std::string_view unit;     // "" where there is none
+    std::string_view key;    // as in --set and in scene files
+    std::string_view label;  // as on the panel
+    std::string_view unit;   // "" where there is none
     double minimum;
     double maximum;
-    bool logarithmic;          // slider scale
-    Feature needs;             // law without which the setting does nothing; Feature{} if it always counts
-    std::string_view about;    // one sentence
+    bool logarithmic;        // slider scale
+    Feature needs;           // law without which the setting does nothing; Feature{} if it always counts
+    std::string_view about;  // one sentence
     SettingMember member;
 };
 

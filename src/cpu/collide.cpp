@@ -113,6 +113,14 @@ struct Collider {
 
 template <class Real>
 void Collider<Real>::add_neighbours(const Ball<Real>& a, Vec3<Real>& force) const {
+    if (features.has(Feature::brute_force)) {
+        for (std::uint32_t id = 0; id < params.ball_count; ++id) {
+            if (id != a.id) {
+                add_pair(a, ball(id), force);
+            }
+        }
+        return;
+    }
     const uvec3 middle = cell_coordinates(params, a.position);
     const uvec3 low = middle - glm::min(middle, uvec3(1));
     const uvec3 high = glm::min(middle + 1u, params.grid_cells - 1u);

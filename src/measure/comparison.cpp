@@ -29,6 +29,8 @@ constexpr std::array<Form, slot_count> forms = {{{4, true, "ball"},
                                                  {4, true, "ball"},
                                                  {4, true, "ball"}}};
 
+constexpr std::size_t places_kept = 1000;
+
 std::string word_text(std::uint32_t word, bool is_float) {
     if (!is_float) {
         return std::to_string(word);
@@ -104,6 +106,9 @@ Comparison compare_slot(Slot slot, std::span<const std::byte> gpu, std::span<con
             continue;
         }
         ++result.differing;
+        if (result.places.size() < places_kept) {
+            result.places.push_back(static_cast<std::uint32_t>(i));
+        }
         bool beyond = true;
         if (form.floats) {
             const double error = distance(in_a, in_b, form.words);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/schedule.h"
 #include "core/vector.h"
@@ -12,12 +13,13 @@ namespace ballpit::measure {
 
 struct Comparison {
     std::size_t elements = 0;
-    std::size_t differing = 0;     // elements with any bit different
-    std::size_t beyond_bound = 0;  // of those, the ones that no rounding explains (integers: all)
-    std::uint64_t max_ulp = 0;     // largest distance of two floats, in units in the last place
-    double max_error = 0.0;        // largest absolute distance of two floats
-    double of_bound = 0.0;         // largest distance as a share of its bound, of the elements within theirs
-    std::string first;             // the first element beyond the bound, else the first that differs, in words
+    std::size_t differing = 0;          // elements with any bit different
+    std::size_t beyond_bound = 0;       // of those, the ones that no rounding explains (integers: all)
+    std::uint64_t max_ulp = 0;          // largest distance of two floats, in units in the last place
+    double max_error = 0.0;             // largest absolute distance of two floats
+    double of_bound = 0.0;              // largest distance as a share of its bound, of the elements within theirs
+    std::vector<std::uint32_t> places;  // elements that differ, ascending, the first thousand
+    std::string first;                  // the first element beyond the bound, else the first that differs, in words
 };
 
 /// Units in the last place between two floats: how many floats lie between them, plus one. NaN is as far as

@@ -42,7 +42,7 @@ struct Control {
         double value = edited.*member;
         const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
         if (!ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.low, &range.high,
-                                 with_unit("%.4g", info).c_str(), flags) ||
+                                 with_unit(std::abs(value) >= 1e4 ? "%.0f" : "%.4g", info).c_str(), flags) ||
             !std::isfinite(value)) {
             return false;
         }
@@ -86,6 +86,7 @@ struct Control {
 
     bool operator()(Integrator Settings::*member) const { return choice(edited.*member); }
     bool operator()(SortMethod Settings::*member) const { return choice(edited.*member); }
+    bool operator()(NeighbourSearch Settings::*member) const { return choice(edited.*member); }
 
     template <class Enum>
     bool choice(Enum& value) const {

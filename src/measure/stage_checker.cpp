@@ -1,0 +1,140 @@
+#include "measure/stage_checker.h"
+
+#include <algorithm>
+
+#include "measure/float_bound.h"
+#include "measure/invariants.h"
+#include "measure/momentum.h"
+
+namespace ballpit::measure {
+
+namespace {
+
+constexpr std::size_t violations_kept = 10;
+
+Violation violation_after(Backend& backend, const Schedule& schedule, const Dispatch& dispatch,
+                          const SubstepParams<double>& params) {
+    if (dispatch.stage == Stage::collide) {
+        const auto next_positions = read_slot<vec4>(backend, Slot::next_positions);
+        const auto next_velocities = read_slot<vec4>(backend, Slot::next_velocities);
+        if (Violation violation = all_finite(next_positions, next_velocities)) {
+            return violation;
+        }
+        return momentum_balanced(params, dispatch.program.features, read_slot<vec4>(backend, Slot::positions),
+                                 read_slot<vec4>(backend, Slot::velocities),
+                                 read_slot<float>(backend, Slot::damping_ratios), next_velocities);
+    }
+    const auto keys = read_slot<Key>(backend, Slot::keys);
+    switch (dispatch.stage) {
+        case Stage::assign_cells:
+            return keys_assigned(keys, schedule.ball_count, schedule.cell_count);
+        case Stage::bitonic_sort:
+            return keys_sorted(keys, schedule.ball_count);
+        case Stage::build_grid:
+        case Stage::collide:
+            break;
+    }
+    return ranges_partition(read_slot<CellRange>(backend, Slot::cell_ranges), keys, schedule.ball_count);
+}
+
+}  // namespace
+
+void StageChecker::load(const BallState& state, const Schedule& schedule, bool limit_force) {
+    mirror_.load(state, schedule, limit_force);
+    mirror_.write(Slot::status, backend_.read(Slot::status));
+}
+
+void StageChecker::run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
+                       std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        const Dispatch& dispatch = schedule.dispatches[i];
+        backend_.run(schedule, params, i, i + 1);
+        mirror_.run(schedule, params, i, i + 1);
+        compare(dispatch, params);
+        if (i + 1 == schedule.dispatches.size() || schedule.dispatches[i + 1].stage != dispatch.stage) {
+            check_invariant(schedule, dispatch, params);
+        }
+        ++dispatches_;
+    }
+}
+
+void StageChecker::end_substep() {
+    mirror_.swap_states();
+    ++substeps_;
+}
+
+void StageChecker::clear() {
+    rows_.clear();
+    bytes_ = {};
+    violations_.clear();
+    stage_violations_ = {};
+    violation_count_ = 0;
+    substeps_ = 0;
+    dispatches_ = 0;
+}
+
+void StageChecker::compare(const Dispatch& dispatch, const SubstepParams<double>& params) {
+    for (const Slot slot : dispatch.writes) {
+        const Bytes ours = backend_.read(slot);
+        const Bytes theirs = mirror_.read(slot);
+        CheckRow& row = row_of(dispatch.stage, slot);
+        row.elements += element_count(slot, ours);
+        if (ours == theirs) {
+            continue;
+        }
+        const Comparison difference = compare_slot(slot, ours, theirs, bounds(slot, dispatch, params));
+        add(row, difference, dispatch);
+        mirror_.write(slot, ours);
+        bytes_[static_cast<std::size_t>(slot)] = CheckedBytes{dispatch.name, ours, theirs, difference.places};
+    }
+}
+
+// Only collide writes floats; its bound follows from the state that it read.
+std::vector<double> StageChecker::bounds(Slot slot, const Dispatch& dispatch, const SubstepParams<double>& params) {
+    if (dispatch.stage != Stage::collide || slot == Slot::status) {
+        return {};
+    }
+    CollideBound bound =
+        collide_bound(params, dispatch.program.features, read_slot<vec4>(backend_, Slot::positions),
+                      read_slot<vec4>(backend_, Slot::velocities), read_slot<float>(backend_, Slot::damping_ratios));
+    return slot == Slot::next_positions ? bound.position : bound.velocity;
+}
+
+void StageChecker::add(CheckRow& row, const Comparison& difference, const Dispatch& dispatch) const {
+    if (row.first.empty() || (row.beyond_bound == 0 && difference.beyond_bound != 0)) {
+        row.first = "substep " + std::to_string(substeps_) + ", " + dispatch.name + ", " + difference.first;
+    }
+    row.differing += difference.differing;
+    row.beyond_bound += difference.beyond_bound;
+    row.max_ulp = std::max(row.max_ulp, difference.max_ulp);
+    row.max_error = std::max(row.max_error, difference.max_error);
+    row.of_bound = std::max(row.of_bound, difference.of_bound);
+}
+
+CheckRow& StageChecker::row_of(Stage stage, Slot slot) {
+    const auto found =
+        std::ranges::find_if(rows_, [&](const CheckRow& row) { return row.stage == stage && row.slot == slot; });
+    if (found != rows_.end()) {
+        return *found;
+    }
+    CheckRow row;
+    row.stage = stage;
+    row.slot = slot;
+    return rows_.emplace_back(std::move(row));
+}
+
+void StageChecker::check_invariant(const Schedule& schedule, const Dispatch& dispatch,
+                                   const SubstepParams<double>& params) {
+    const Violation violation = violation_after(backend_, schedule, dispatch, params);
+    if (!violation) {
+        return;
+    }
+    ++violation_count_;
+    stage_violations_[static_cast<std::size_t>(dispatch.stage)] = violation;
+    if (violations_.size() < violations_kept) {
+        violations_.push_back("substep " + std::to_string(substeps_) + ", after " +
+                              std::string(stage_name(dispatch.stage)) + ": " + *violation);
+    }
+}
+
+}  // namespace ballpit::measure
