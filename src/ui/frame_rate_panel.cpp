@@ -1,4 +1,4 @@
-// Top left: frames a second, and what makes them.
+// Top left: frames a second, what makes them, and where the run stands.
 #include <string>
 
 #include "ui/panels.h"
@@ -35,6 +35,8 @@ void frame_rate_panel(const State& state) {
     large_text(format("%.0f FPS   %.1f ms", state.fps, state.frame_ms));
     dim_text(grouped(state.settings.balls) + (state.settings.balls == 1 ? " ball" : " balls") + "  ·  " +
              (state.backend_name == "gpu" ? "GPU" : "CPU mirror") + "  ·  " + run_text(state));
+    dim_text(format("t = %.3f s  ·  step %llu  ·  seed %llu", state.time,
+                    static_cast<unsigned long long>(state.step_count), static_cast<unsigned long long>(state.seed)));
     if (state.overlapping > 0) {
         dim_text(grouped(state.overlapping) + " balls found no free place: they start overlapping");
     }

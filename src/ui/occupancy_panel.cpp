@@ -30,7 +30,7 @@ void histogram_plot(const State& state, const std::vector<HistogramBar>& bars) {
     const ImVec2 size(24.0f * em(), 6.0f * em());
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float floor = low.y + size.y - line;
-    const float step = size.x / static_cast<float>(bars.size());
+    const float step = std::min(size.x / static_cast<float>(bars.size()), 4.0f * em());
     const float gap = std::min(0.15f * step, 3.0f);
     std::uint64_t most = 1;
     for (const HistogramBar& bar : bars) {
@@ -41,9 +41,13 @@ void histogram_plot(const State& state, const std::vector<HistogramBar>& bars) {
         const float x = low.x + step * static_cast<float>(i);
         const double share = static_cast<double>(bar.cells) / static_cast<double>(most);
         const float height = bar.cells == 0 ? 0.0f : std::max(2.0f, static_cast<float>(share) * (size.y - 2.2f * line));
-        const std::size_t colour = std::min<std::size_t>(bar.last, state.count_colours.size() - 1);
-        ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x + gap, floor - height), ImVec2(x + step - gap, floor),
-                                                  packed(state.count_colours[colour]));
+        const float amount = (static_cast<float>(bar.last) - 1.0f) / (static_cast<float>(state.top_count) - 1.0f);
+        const ImVec2 corner(x + gap, floor - height);
+        const ImVec2 opposite(x + step - gap, floor);
+        ImGui::GetWindowDrawList()->AddRectFilled(corner, opposite, packed(state.amount_colour(amount)));
+        if (height > 0.0f) {  // the darkest colours would be lost on the panel
+            ImGui::GetWindowDrawList()->AddRect(corner, opposite, packed(dim_colour));
+        }
         const std::string cells = std::to_string(bar.cells);
         if (bar.cells > 0 && ImGui::CalcTextSize(cells.c_str()).x <= step) {
             centred(cells, x + 0.5f * step, floor - height - line, packed(text_colour));

@@ -14,6 +14,8 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWin
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                           ImGuiWindowFlags_NoNav;
 
+constexpr float panel_width = 21.0f;  // em
+
 float margin() { return 0.6f * em(); }
 
 // Windows below one another at the left edge.
@@ -64,7 +66,7 @@ void left_side(const State& state, Commands& commands) {
 
 void right_side(const State& state, Commands& commands) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float width = std::min(21.0f * em(), display.x - 2.0f * margin());
+    const float width = std::min(panel_width * em(), display.x - 2.0f * margin());
     const float most = std::max(display.y - 2.0f * margin(), 4.0f * em());
     ImGui::SetNextWindowPos(ImVec2(display.x - margin(), margin()), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, most));
@@ -82,6 +84,7 @@ void help_window(const State& state, Commands& commands) {
     ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f),
                                         ImVec2(display.x - 2.0f * margin(), display.y - 2.0f * margin()));
+    ImGui::SetNextWindowBgAlpha(0.97f);
     ImGui::SetNextWindowFocus();
     ImGui::Begin("help", nullptr, fixed_window);
     help_page(state, commands);
@@ -89,6 +92,8 @@ void help_window(const State& state, Commands& commands) {
 }
 
 }  // namespace
+
+float side_panel_width() { return panel_width * em() + 2.0f * margin(); }
 
 void draw_panels(const State& state, Commands& commands) {
     left_side(state, commands);

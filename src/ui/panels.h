@@ -23,6 +23,9 @@ void help_page(const State& state, Commands& commands);
 /// Every panel that the state shows, between ImGui::NewFrame() and ImGui::Render().
 void draw_panels(const State& state, Commands& commands);
 
+/// Width that the side panel and its margins take from the picture, in points; inside a frame.
+float side_panel_width();
+
 /// Whether there is a failure to show in red.
 inline bool has_failure(const State& state) { return state.status.bits != 0; }
 

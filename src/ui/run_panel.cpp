@@ -1,4 +1,4 @@
-// Run, pause, one step, restart; where the run stands; how fast time goes.
+// Run, pause, one step, restart; how fast time goes.
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -44,8 +44,6 @@ void run_panel(const State& state, Commands& commands) {
     action_button("Restart", Action::restart, half, commands);
     ImGui::SameLine();
     action_button("New seed", Action::new_seed, half, commands);
-    dim_text(format("t = %.3f s    step %llu    seed %llu", state.time,
-                    static_cast<unsigned long long>(state.step_count), static_cast<unsigned long long>(state.seed)));
     speed_row(state, commands);
 }
 

@@ -64,7 +64,8 @@ struct State {
     bool has_grid = true;
     double cell_width = 0.0;                        // m
     const measure::Occupancy* occupancy = nullptr;  // null until the first copy has arrived
-    std::span<const vec3> count_colours;            // sRGB; index = balls in a cell, the last for all above
+    std::uint32_t top_count = 8;                    // balls in a cell that get the last colour
+    vec3 (*amount_colour)(float) = nullptr;         // sRGB of an amount from 0 to 1, as the picture colours cells
 
     std::string_view message;  // empty: none
     bool close_popups = false;

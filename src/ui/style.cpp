@@ -8,7 +8,6 @@ void set_colours(ImGuiStyle& style) {
     ImGui::StyleColorsDark(&style);
     const ImVec4 field{0.19f, 0.22f, 0.26f, 1.0f};
     const ImVec4 field_hovered{0.25f, 0.30f, 0.35f, 1.0f};
-    const ImVec4 accent_bright{0.20f, 0.58f, 0.83f, 1.0f};
     const auto set = [&style](ImGuiCol which, const ImVec4& colour) { style.Colors[which] = colour; };
     set(ImGuiCol_Text, text_colour);
     set(ImGuiCol_TextDisabled, dim_colour);
@@ -18,8 +17,8 @@ void set_colours(ImGuiStyle& style) {
     set(ImGuiCol_FrameBg, field);
     set(ImGuiCol_FrameBgHovered, field_hovered);
     set(ImGuiCol_FrameBgActive, field_hovered);
-    set(ImGuiCol_SliderGrab, accent_bright);
-    set(ImGuiCol_SliderGrabActive, {0.34f, 0.71f, 0.91f, 1.0f});
+    set(ImGuiCol_SliderGrab, {0.08f, 0.42f, 0.66f, 1.0f});  // values are written across it
+    set(ImGuiCol_SliderGrabActive, {0.12f, 0.52f, 0.78f, 1.0f});
     set(ImGuiCol_CheckMark, {0.34f, 0.71f, 0.91f, 1.0f});
     set(ImGuiCol_Button, {0.23f, 0.27f, 0.32f, 1.0f});
     set(ImGuiCol_ButtonHovered, {0.30f, 0.36f, 0.42f, 1.0f});
@@ -44,8 +43,8 @@ void apply_style(float scale) {
     style.GrabMinSize = 12.0f;
     style.WindowBorderSize = 1.0f;
     style.WindowPadding = {12.0f, 10.0f};
-    style.FramePadding = {7.0f, 3.0f};
-    style.ItemSpacing = {8.0f, 4.0f};
+    style.FramePadding = {7.0f, 2.0f};
+    style.ItemSpacing = {8.0f, 3.0f};
     style.ItemInnerSpacing = {6.0f, 4.0f};
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;

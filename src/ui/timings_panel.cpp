@@ -67,6 +67,9 @@ void timing_row(const TimingRow& row) {
 }  // namespace
 
 void timings_panel(const State& state) {
+    text("Stage timings");
+    ImGui::SameLine();
+    dim_text(key_hint(Action::toggle_timings));
     if (!ImGui::BeginTable("timings", 5, ImGuiTableFlags_SizingFixedFit)) {
         return;
     }

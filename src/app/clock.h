@@ -1,0 +1,35 @@
+// When the simulation steps: run state, and how many steps of fixed dt a frame of the window is worth.
+// Pure: time comes in as a number, so that a test can be any machine.
+#pragma once
+
+#include <cstdint>
+
+namespace ballpit::app {
+
+enum class RunState : std::uint8_t { running, paused, one_step };
+
+class Clock {
+public:
+    RunState state() const { return state_; }
+    bool running() const { return state_ == RunState::running; }
+    void toggle_run();
+    void pause() { state_ = RunState::paused; }
+    /// One step in the next frame, then paused; a running clock stops after it.
+    void step_once() { state_ = RunState::one_step; }
+
+    /// Steps to run in a frame that comes `wall_s` seconds after the one before, with steps of `dt` s and `speed`
+    /// simulated seconds a second. dt never changes: what a slow machine cannot do is dropped, not caught up.
+    int steps_for_frame(double wall_s, double dt, double speed);
+
+private:
+    void adapt(double wall_s);
+    int due_steps(double wall_s, double dt, double speed);
+
+    RunState state_ = RunState::paused;
+    double debt_s_ = 0.0;  // simulated time that is due, within half a step of none
+    int allowed_ = 1;      // steps that fit a frame without making it too long, learnt from the frames so far
+    int last_steps_ = 0;
+    bool held_back_ = false;  // whether the last frame ran fewer steps than were due
+};
+
+}  // namespace ballpit::app

@@ -1,0 +1,149 @@
+#include "app/input.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ballpit::app {
+
+namespace {
+
+using ui::Action;
+
+std::optional<Action> plain_action(const SDL_Keysym& key) {
+    switch (key.sym) {
+        case SDLK_SPACE:
+        case SDLK_p:
+            return Action::toggle_run;
+        case SDLK_RIGHT:
+        case SDLK_o:
+        case SDLK_RETURN:
+        case SDLK_KP_ENTER:
+            return Action::one_step;
+        case SDLK_r:
+            return (key.mod & KMOD_SHIFT) != 0 ? Action::new_seed : Action::restart;
+        case SDLK_LEFTBRACKET:
+            return Action::previous_scene;
+        case SDLK_RIGHTBRACKET:
+            return Action::next_scene;
+        case SDLK_g:
+            return Action::toggle_occupancy;
+        case SDLK_F3:
+            return Action::toggle_timings;
+        case SDLK_TAB:
+            return Action::toggle_panels;
+        case SDLK_F11:
+            return Action::full_screen;
+        case SDLK_HOME:
+            return Action::camera_home;
+        case SDLK_F1:
+            return Action::toggle_help;
+        case SDLK_ESCAPE:
+            return Action::close;
+        default:
+            break;
+    }
+    switch (key.scancode) {
+        case SDL_SCANCODE_LEFTBRACKET:
+            return Action::previous_scene;
+        case SDL_SCANCODE_RIGHTBRACKET:
+            return Action::next_scene;
+        default:
+            return std::nullopt;
+    }
+}
+
+bool held(SDL_Keycode key) {
+    int count = 0;
+    const Uint8* states = SDL_GetKeyboardState(&count);
+    const SDL_Scancode code = SDL_GetScancodeFromKey(key);
+    return code < count && states[code] != 0;
+}
+
+// Along the camera's right and forward and the world's up; opposite keys cancel.
+vec3 held_direction() {
+    if ((SDL_GetModState() & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0) {
+        return vec3(0.0f);
+    }
+    const auto axis = [](SDL_Keycode more, SDL_Keycode less) {
+        return static_cast<float>(held(more)) - static_cast<float>(held(less));
+    };
+    return {axis(SDLK_d, SDLK_a), axis(SDLK_w, SDLK_s), axis(SDLK_e, SDLK_q)};
+}
+
+}  // namespace
+
+std::optional<Action> action_of(const SDL_Keysym& key, bool repeated) {
+    const bool control = (key.mod & KMOD_CTRL) != 0;
+    if (control && key.sym == SDLK_q && !repeated) {
+        return Action::quit;
+    }
+    if (control || (key.mod & (KMOD_ALT | KMOD_GUI)) != 0) {
+        return std::nullopt;  // the window manager's, not ours
+    }
+    const std::optional<Action> action = plain_action(key);
+    return repeated && action != Action::one_step ? std::nullopt : action;
+}
+
+void Input::handle(const SDL_Event& event, bool typing, bool over_panel, int height) {
+    switch (event.type) {
+        case SDL_KEYDOWN:
+            if (const auto action = action_of(event.key.keysym, event.key.repeat != 0);
+                action && (!typing || action == Action::quit)) {
+                commands_.emplace_back(*action);
+            }
+            break;
+        case SDL_MOUSEBUTTONDOWN:
+        case SDL_MOUSEBUTTONUP:
+            handle_button(event.button, over_panel);
+            break;
+        case SDL_MOUSEMOTION:
+            handle_motion(event.motion, height);
+            break;
+        case SDL_MOUSEWHEEL:
+            notches_ += over_panel ? 0.0f : event.wheel.preciseY;
+            break;
+        case SDL_WINDOWEVENT:
+            dragging_ = event.window.event == SDL_WINDOWEVENT_FOCUS_LOST ? Uint8{0} : dragging_;
+            break;
+        default:
+            break;
+    }
+}
+
+// A drag belongs to where it began: a slider pulled beyond its panel never turns the camera, nor the other way round.
+void Input::handle_button(const SDL_MouseButtonEvent& button, bool over_panel) {
+    const bool ours = button.button == SDL_BUTTON_LEFT || button.button == SDL_BUTTON_RIGHT;
+    if (button.type == SDL_MOUSEBUTTONDOWN && ours && !over_panel && dragging_ == 0) {
+        dragging_ = button.button;
+    } else if (button.type == SDL_MOUSEBUTTONUP && button.button == dragging_) {
+        dragging_ = 0;
+    }
+}
+
+void Input::handle_motion(const SDL_MouseMotionEvent& motion, int height) {
+    const view::vec2 drag =
+        view::vec2(static_cast<float>(motion.xrel), static_cast<float>(motion.yrel)) / static_cast<float>(height);
+    if (dragging_ == SDL_BUTTON_LEFT) {
+        look_ += drag;
+    } else if (dragging_ == SDL_BUTTON_RIGHT) {
+        pan_ += drag;
+    }
+}
+
+ui::Commands Input::take_commands() { return std::exchange(commands_, {}); }
+
+view::Camera Input::moved(view::Camera camera, const vec3& half_extent, float seconds, bool typing) {
+    if (!typing) {
+        const float largest = std::max({half_extent.x, half_extent.y, half_extent.z});
+        const bool fast = (SDL_GetModState() & KMOD_SHIFT) != 0;
+        const float metres = seconds * largest * (fast ? 4.0f : 1.0f);
+        camera = view::move(camera, metres * held_direction());
+    }
+    camera = view::look(camera, std::exchange(look_, view::vec2(0.0f)));
+    camera = view::pan(camera, std::exchange(pan_, view::vec2(0.0f)), half_extent);
+    return view::zoom(camera, std::exchange(notches_, 0.0f), half_extent);
+}
+
+bool Input::active(bool typing) const { return dragging_ != 0 || (!typing && held_direction() != vec3(0.0f)); }
+
+}  // namespace ballpit::app

@@ -1,0 +1,359 @@
+#include "app/window.h"
+
+#include <SDL.h>
+
+#include <chrono>
+#include <variant>
+
+#include "app/clock.h"
+#include "app/input.h"
+#include "app/window_gui.h"
+#include "app/window_monitor.h"
+#include "app/window_picture.h"
+#include "app/window_session.h"
+#include "app/window_timings.h"
+#include "core/error.h"
+#include "gl/context.h"
+#include "gl/timer.h"
+#include "ui/panels.h"
+#include "view/palette.h"
+
+namespace ballpit::app {
+
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr int idle_wait_ms = 250;        // a paused window looks for news this often, and at once for any event
+constexpr int settling_frames = 3;       // after an event: panels answer a frame later than they are asked
+constexpr Uint32 shortest_frame_ms = 4;  // where the display does not hold frames back, this does
+
+double seconds_between(SteadyClock::time_point from, SteadyClock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+gl::ContextOptions context_options(const WindowOptions& options) {
+    // Windows else scales a picture made for fewer pixels, which blurs text. Other systems do not know the hint.
+    SDL_SetHint("SDL_WINDOWS_DPI_SCALING", "1");
+    gl::ContextOptions context;
+    context.width = options.width;
+    context.height = options.height;
+    return context;
+}
+
+class Window {
+public:
+    explicit Window(const WindowOptions& options);
+    int run();
+
+private:
+    bool hidden() const;
+    void wait_for_events();
+    void handle_events();
+    void frame();
+    int advance(double wall_s);
+    void draw();
+    ui::State make_state();
+    void measure_times(double busy_s, double wall_s, double simulated_s);
+    void move_camera(float seconds);
+    void send_camera_home();
+    void update_title();
+
+    void carry_out(const ui::Commands& commands);
+    void close_topmost();
+    void toggle_full_screen();
+
+    // One for each command; std::visit picks.
+    void act(ui::Action action);
+    void act(const ui::ChangeSettings& command) { session_.want(command.settings); }
+    void act(const ui::ChooseScene& command) { session_.choose_scene(command.index); }
+    void act(const ui::ChooseBackend& command) { session_.choose_backend(command.choice); }
+    void act(const ui::ChangeSpeed& command) { speed_ = command.speed; }
+    void act(const ui::ChangeView& command) { view_ = command.view; }
+    void act(const ui::ChangeLight& command) { light_ = light_of(command.light); }
+    void act(const ui::ChangeTextSize& command) { text_size_ = command.factor; }
+    void act(const ui::ClearStatus&) { session_.clear_status(); }
+    void act(const ui::DismissMessage&) { message_.clear(); }
+
+    gl::Context context_;
+    Gui gui_;
+    Session session_;
+    WindowPicture picture_;
+    Clock clock_;
+    Input input_;
+    Monitor monitor_;
+    WindowTimings timings_;
+    FrameRate frame_rate_;
+    gl::SpanTimer draw_timer_;
+
+    ui::ViewOptions view_;
+    view::Camera camera_;
+    view::Light light_;
+    double speed_ = 1.0;
+    float text_size_ = 1.0f;
+    bool full_screen_ = false;
+    bool close_popups_ = false;
+    std::string message_;
+    std::string title_;
+
+    bool quit_ = false;
+    bool camera_to_home_ = true;
+    int scene_changes_ = 0;
+    int settling_ = settling_frames;
+    SteadyClock::time_point start_ = SteadyClock::now();
+    SteadyClock::time_point frame_start_ = start_;
+    double waited_s_ = 0.0;  // since the frame before, doing nothing
+};
+
+Window::Window(const WindowOptions& options)
+    : context_(context_options(options)),
+      gui_(context_, options.assets_folder / "fonts" / "DejaVuSans.ttf"),
+      session_(options, context_.has_compute(), context_.version()),
+      picture_(options.shader_folder, options.model_file) {
+    SDL_GL_SetSwapInterval(1);
+}
+
+int Window::run() {
+    while (!quit_) {
+        wait_for_events();
+        handle_events();
+        if (!hidden()) {
+            frame();
+        }
+    }
+    return 0;
+}
+
+bool Window::hidden() const {
+    return (SDL_GetWindowFlags(context_.window()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0;
+}
+
+// A window that nobody sees, or in which nothing moves, must not heat the room.
+void Window::wait_for_events() {
+    const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
+                       !monitor_.waiting() && !input_.active(gui_.typing());
+    if (!hidden() && !still) {
+        return;
+    }
+    const auto before = SteadyClock::now();
+    SDL_WaitEventTimeout(nullptr, idle_wait_ms);
+    waited_s_ += seconds_between(before, SteadyClock::now());
+}
+
+void Window::handle_events() {
+    int height = 1;
+    SDL_GetWindowSize(context_.window(), nullptr, &height);
+    SDL_Event event;
+    while (SDL_PollEvent(&event) != 0) {
+        settling_ = settling_frames;
+        gui_.process(event);
+        input_.handle(event, gui_.typing(), gui_.over_panel(), std::max(height, 1));
+        if (event.type == SDL_QUIT) {
+            quit_ = true;
+        }
+    }
+    carry_out(input_.take_commands());
+}
+
+void Window::frame() {
+    const auto now = SteadyClock::now();
+    const double wall_s = seconds_between(frame_start_, now);
+    const double busy_s = std::max(wall_s - std::exchange(waited_s_, 0.0), 0.0);
+    frame_start_ = now;
+
+    session_.apply(gui_.holding());
+    if (view_.occupancy) {
+        session_.prepare_cells();
+    }
+    const int steps = advance(busy_s);
+    const Simulation& simulation = session_.simulation();
+    monitor_.update(session_.simulation().backend(), session_.revision(), simulation.schedule().ball_count,
+                    view_.occupancy && simulation.schedule().cell_count > 0, seconds_between(start_, now));
+    measure_times(busy_s, wall_s, steps * simulation.settings().dt);
+    if (std::string message = session_.take_message(); !message.empty()) {
+        message_ = std::move(message);
+    }
+
+    gui_.begin_frame(text_size_);
+    move_camera(static_cast<float>(std::min(busy_s, 0.1)));
+    const ui::State state = make_state();
+    ui::Commands commands;
+    ui::draw_panels(state, commands);
+    close_popups_ = false;
+    draw();
+    update_title();
+    SDL_GL_SwapWindow(context_.window());
+    const auto spent_ms = static_cast<Uint32>(1000.0 * seconds_between(now, SteadyClock::now()));
+    if (spent_ms < shortest_frame_ms) {
+        SDL_Delay(shortest_frame_ms - spent_ms);
+    }
+    settling_ = commands.empty() ? std::max(settling_ - 1, 0) : settling_frames;
+    carry_out(commands);
+}
+
+int Window::advance(double wall_s) {
+    const int steps = clock_.steps_for_frame(wall_s, session_.simulation().settings().dt, speed_);
+    for (int i = 0; i < steps; ++i) {
+        session_.step();
+    }
+    if (clock_.running()) {
+        light_ = view::advance(light_, static_cast<float>(wall_s));
+    }
+    return steps;
+}
+
+void Window::draw() {
+    int width = 0;
+    int height = 0;
+    SDL_GL_GetDrawableSize(context_.window(), &width, &height);
+    if (view_.timings) {
+        draw_timer_.begin();
+    }
+    picture_.draw(session_.simulation(), view_, camera_, light_, monitor_.top_count(), width, height);
+    if (view_.timings) {
+        draw_timer_.mark(0);
+    }
+    gui_.end_frame();
+    if (view_.timings) {
+        draw_timer_.mark(1);
+        draw_timer_.end();
+    }
+}
+
+void Window::measure_times(double busy_s, double wall_s, double simulated_s) {
+    Backend& backend = session_.simulation().backend();
+    backend.set_timing(view_.timings);
+    timings_.add_substeps(backend.take_times());
+    for (const gl::SpanTimer::Span& span : draw_timer_.take()) {
+        timings_.add_frame(span[0].ms, span[1].ms);
+    }
+    if (frame_rate_.add(busy_s, wall_s, simulated_s)) {
+        timings_.refresh();
+    }
+}
+
+void Window::move_camera(float seconds) {
+    if (session_.scene_changes() != scene_changes_) {
+        scene_changes_ = session_.scene_changes();
+        camera_to_home_ = true;
+    }
+    if (std::exchange(camera_to_home_, false)) {
+        send_camera_home();
+    }
+    camera_ = input_.moved(camera_, vec3(session_.simulation().half_extent()), seconds, gui_.typing());
+}
+
+// The box stands in the middle of what the side panel leaves free.
+void Window::send_camera_home() {
+    int width = 1;
+    int height = 1;
+    SDL_GetWindowSize(context_.window(), &width, &height);
+    const auto tall = static_cast<float>(std::max(height, 1));
+    const auto wide = static_cast<float>(std::max(width, 1));
+    const float covered = view_.panels ? std::min(ui::side_panel_width(), 0.6f * wide) : 0.0f;
+    const vec3 half_extent(session_.simulation().half_extent());
+    camera_ = view::home(half_extent, (wide - covered) / tall);
+    camera_ = view::pan(camera_, view::vec2(-0.5f * covered / tall, 0.0f), half_extent);
+}
+
+ui::State Window::make_state() {
+    ui::State state;
+    session_.describe(state);
+    state.running = clock_.running();
+    state.speed = speed_;
+    state.achieved = frame_rate_.achieved_speed();
+    state.view = view_;
+    state.light = light_options(light_);
+    state.text_size = text_size_;
+    state.full_screen = full_screen_;
+    state.fps = frame_rate_.fps();
+    state.frame_ms = frame_rate_.frame_ms();
+    state.timings = timings_.rows();
+    state.status = monitor_.status();
+    state.occupancy = monitor_.occupancy();
+    state.top_count = monitor_.top_count();
+    state.amount_colour = view::sequential;
+    state.message = message_;
+    state.close_popups = close_popups_;
+    return state;
+}
+
+void Window::update_title() {
+    const Simulation& simulation = session_.simulation();
+    // Plain ASCII: without a UTF-8 locale some window managers would not show the title at all.
+    const std::string title =
+        simulation.scene().name + " - " + std::to_string(simulation.schedule().ball_count) + " balls - Ball Pit";
+    if (title != title_) {
+        title_ = title;
+        SDL_SetWindowTitle(context_.window(), title_.c_str());
+    }
+}
+
+void Window::carry_out(const ui::Commands& commands) {
+    for (const ui::Command& command : commands) {
+        std::visit([this](const auto& c) { act(c); }, command);
+    }
+}
+
+void Window::act(ui::Action action) {
+    switch (action) {
+        case ui::Action::toggle_run:
+            return clock_.toggle_run();
+        case ui::Action::one_step:
+            return clock_.step_once();
+        case ui::Action::restart:
+            return session_.restart(false);
+        case ui::Action::new_seed:
+            return session_.restart(true);
+        case ui::Action::previous_scene:
+            return session_.next_scene(-1);
+        case ui::Action::next_scene:
+            return session_.next_scene(1);
+        case ui::Action::toggle_occupancy:
+            view_.occupancy = !view_.occupancy;
+            return;
+        case ui::Action::toggle_timings:
+            view_.timings = !view_.timings;
+            return;
+        case ui::Action::toggle_panels:
+            view_.panels = !view_.panels;
+            return;
+        case ui::Action::full_screen:
+            return toggle_full_screen();
+        case ui::Action::camera_home:
+            camera_to_home_ = true;
+            return;
+        case ui::Action::toggle_help:
+            view_.help = !view_.help;
+            return;
+        case ui::Action::close:
+            return close_topmost();
+        case ui::Action::quit:
+            quit_ = true;
+            return;
+    }
+}
+
+// One thing a press, what lies on top first; never the program.
+void Window::close_topmost() {
+    if (gui_.popup_open()) {
+        close_popups_ = true;
+    } else if (view_.help) {
+        view_.help = false;
+    } else if (!message_.empty()) {
+        message_.clear();
+    } else if (full_screen_) {
+        toggle_full_screen();
+    }
+}
+
+void Window::toggle_full_screen() {
+    full_screen_ = !full_screen_;
+    SDL_SetWindowFullscreen(context_.window(), full_screen_ ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+}
+
+}  // namespace
+
+int run_window(const WindowOptions& options) { return Window(options).run(); }
+
+}  // namespace ballpit::app

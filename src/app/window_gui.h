@@ -1,0 +1,42 @@
+// Dear ImGui on this window: context, backends, font, scale. The only place that knows which ImGui it is.
+#pragma once
+
+#include <SDL.h>
+
+#include <filesystem>
+
+#include "gl/context.h"
+
+namespace ballpit::app {
+
+class Gui {
+public:
+    /// A missing font file is no reason to stop: ImGui's own font stands in for it.
+    Gui(const gl::Context& context, std::filesystem::path font_file);
+    ~Gui();
+    Gui(const Gui&) = delete;
+    Gui& operator=(const Gui&) = delete;
+
+    void process(const SDL_Event& event) const;
+
+    /// Starts a frame. Text is as high as a fixed share of the window's height, times `text_size`: readable from as far
+    /// away on every projector.
+    void begin_frame(float text_size);
+    /// Draws the panels into the window.
+    void end_frame() const;
+
+    bool typing() const;      // a text field has the keyboard
+    bool over_panel() const;  // a panel has the mouse
+    bool holding() const;     // a slider or field is being changed
+    bool popup_open() const;  // a list is open
+
+private:
+    void rescale(float text_size);
+
+    SDL_Window* window_;
+    std::filesystem::path font_file_;
+    float scale_ = 0.0f;        // of the panels, points
+    float pixel_ratio_ = 0.0f;  // pixels a point
+};
+
+}  // namespace ballpit::app

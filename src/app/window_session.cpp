@@ -1,0 +1,191 @@
+#include "app/window_session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.h"
+#include "core/scene_file.h"
+#include "cpu/cpu_backend.h"
+#include "gl/error.h"
+#include "gpu/gpu_backend.h"
+
+namespace ballpit::app {
+
+namespace {
+
+// Worlds of more balls take longer to build than a frame.
+constexpr std::uint32_t quickly_built = 20000;
+
+ui::BackendChoice parse_choice(const std::string& name) {
+    const auto& names = ui::backend_choice_names;
+    const auto found = std::ranges::find(names, name);
+    return found == names.end() ? ui::BackendChoice::automatic : static_cast<ui::BackendChoice>(found - names.begin());
+}
+
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code error;
+    return std::filesystem::equivalent(a, b, error) && !error;
+}
+
+ui::SceneChoice describe_scene(const std::filesystem::path& file) {
+    try {
+        Scene scene = load_scene(file);
+        return {std::move(scene.name), std::move(scene.about)};
+    } catch (const InputError& error) {
+        return {file.stem().string(), error.what()};  // choosing it says so again
+    }
+}
+
+}  // namespace
+
+Session::Session(const WindowOptions& options, bool has_compute, const std::string& gl_version)
+    : has_compute_(has_compute),
+      shader_folder_(options.shader_folder),
+      choice_(parse_choice(options.backend)),
+      wanted_(options.settings) {
+    list_scenes(options);
+    simulation_ = std::make_unique<Simulation>(options.scene, options.settings, options.seed, make_backend(choice_));
+    if (choice_ == ui::BackendChoice::automatic && !has_compute) {
+        message_ = "No OpenGL 4.3 here (this is " + gl_version + "): the CPU mirror computes.";
+    }
+}
+
+void Session::list_scenes(const WindowOptions& options) {
+    const std::filesystem::path own(options.scene_file);
+    const auto entry =
+        std::ranges::find_if(options.gallery, [&](const SceneEntry& e) { return same_file(e.path, own); });
+    if (entry == options.gallery.end()) {
+        scene_files_.push_back(own);
+        scenes_.push_back({options.scene.name, options.scene.about});
+    } else {
+        scene_ = static_cast<std::size_t>(entry - options.gallery.begin());
+    }
+    for (const SceneEntry& scene : options.gallery) {
+        scene_files_.push_back(scene.path);
+        scenes_.push_back(describe_scene(scene.path));
+    }
+}
+
+std::unique_ptr<Backend> Session::make_backend(ui::BackendChoice choice) const {
+    if (choice == ui::BackendChoice::gpu || (choice == ui::BackendChoice::automatic && has_compute_)) {
+        return std::make_unique<gpu::GpuBackend>(shader_folder_);
+    }
+    return std::make_unique<cpu::CpuBackend<float>>();
+}
+
+// A refused file or value leaves the simulation as it was. A device that failed has lost its balls: then the scene that
+// ran starts anew, with the settings that it ran with.
+bool Session::attempt(const std::function<void()>& change) {
+    const Scene scene = simulation_->scene();
+    const Settings settings = simulation_->settings();
+    const std::uint64_t seed = simulation_->seed();
+    const auto restore = [&](const std::exception& error) {
+        message_ = std::string(error.what()) + " The scene starts anew.";
+        simulation_->load(scene, settings, seed);
+    };
+    cells_ready_ = false;
+    ++revision_;
+    bool done = false;
+    try {
+        change();
+        done = true;
+    } catch (const InputError& error) {
+        message_ = error.what();
+    } catch (const DeviceError& error) {
+        restore(error);
+    } catch (const gl::Error& error) {
+        restore(error);
+    }
+    wanted_ = simulation_->settings();
+    return done;
+}
+
+void Session::step() {
+    simulation_->step();
+    cells_ready_ = true;
+    ++revision_;
+}
+
+void Session::restart(bool new_seed) {
+    attempt([&] { simulation_->restart(simulation_->seed() + (new_seed ? 1 : 0)); });
+}
+
+void Session::choose_scene(std::size_t index) {
+    const bool done = attempt([&] {
+        Scene scene = load_scene(scene_files_[index]);  // read again: it may have been edited
+        scenes_[index] = {scene.name, scene.about};
+        const Settings settings = scene.settings;
+        const std::uint64_t seed = scene.fill ? scene.fill->seed : 0;
+        simulation_->load(std::move(scene), settings, seed);
+    });
+    if (done) {
+        scene_ = index;
+        ++scene_changes_;
+    }
+}
+
+void Session::next_scene(int offset) {
+    const auto count = static_cast<int>(scenes_.size());
+    choose_scene(static_cast<std::size_t>((static_cast<int>(scene_) + offset + count) % count));
+}
+
+void Session::choose_backend(ui::BackendChoice choice) {
+    if (attempt([&] { simulation_->use(make_backend(choice)); })) {
+        choice_ = choice;
+    }
+}
+
+void Session::clear_status() {
+    const Status clean{};
+    simulation_->backend().write(Slot::status, std::as_bytes(std::span(&clean, 1)));
+    ++revision_;
+}
+
+void Session::apply(bool held) {
+    const Settings& current = simulation_->settings();
+    if (wanted_ == current) {
+        return;
+    }
+    const bool slow = wanted_.balls != current.balls && std::max(wanted_.balls, current.balls) > quickly_built;
+    if (!(held && slow)) {
+        const Settings wanted = wanted_;
+        attempt([&] { simulation_->change(wanted); });
+    }
+}
+
+void Session::prepare_cells() {
+    const Schedule& schedule = simulation_->schedule();
+    if (cells_ready_ || schedule.cell_count == 0) {
+        return;
+    }
+    Backend& backend = simulation_->backend();
+    const Bytes status = backend.read(Slot::status);
+    const auto collide =
+        std::ranges::find_if(schedule.dispatches, [](const Dispatch& d) { return d.stage == Stage::collide; });
+    backend.run(schedule, simulation_->params(), 0, static_cast<std::size_t>(collide - schedule.dispatches.begin()));
+    backend.write(Slot::status, status);  // looking is no substep: what it counted does not count
+    cells_ready_ = true;
+    ++revision_;
+}
+
+void Session::describe(ui::State& state) const {
+    const Simulation& simulation = *simulation_;
+    state.scenes = scenes_;
+    state.scene = scene_;
+    state.time = simulation.time();
+    state.step_count = simulation.step_count();
+    state.seed = simulation.seed();
+    state.settings = wanted_;
+    state.defaults = simulation.scene().settings;
+    state.features = simulation.features();
+    state.most_balls =
+        simulation.scene().fill ? maximum_balls : static_cast<std::uint32_t>(simulation.scene().balls.size());
+    state.overlapping = simulation.overlapping_at_start();
+    state.backend = choice_;
+    state.gpu_usable = has_compute_;
+    state.backend_name = simulation.backend().name();
+    state.has_grid = simulation.schedule().cell_count > 0;
+    state.cell_width = simulation.schedule().grid.cell_width;
+}
+
+}  // namespace ballpit::app
