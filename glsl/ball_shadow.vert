@@ -1,29 +1,27 @@
 #version 330 core
-// A soft dark disc on the ground for each ball near it, away from the light.
+// Each ball as the light sees it: a disc through its centre, which holds the cone of light that it catches. The lit
+// half of the ball lies before its disc, so that no ball shades itself and no bias is needed.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/shadow.glsl"
 
 layout(location = 0) in vec2 corner;     // -1 or 1
 layout(location = 3) in vec4 ball;       // centre, radius
 
 out vec2 across;
-flat out float strength;
-
-const float reach = 4.0;                 // radii above the ground from where a ball darkens nothing
 
 void main() {
-    float height = ball.z - ball.w + frame.half_extent.z;
-    float fade = 1.0 - height / (reach * ball.w);
-    vec3 from_light = ball.xyz - frame.light_position;
-    if (!is_finite(ball) || fade <= 0.0 || from_light.z >= 0.0) {
+    vec3 axis = ball.xyz - frame.light_position;
+    float away = length(axis);
+    vec3 ahead = axis / away;
+    float squared = away * away - ball.w * ball.w;
+    if (!is_finite(ball) || !(squared > 0.0) || ahead.z > shadow_horizon) {
         gl_Position = nowhere;
         return;
     }
-    vec2 slide = from_light.xy / -from_light.z;
-    slide *= min(1.0, 2.0 / max(length(slide), 1e-6)) * max(height + ball.w, 0.0);
+    vec3 side = normalize(abs(ahead.x) < 0.7 ? vec3(0.0, ahead.z, -ahead.y) : vec3(-ahead.z, 0.0, ahead.x));
+    float size = ball.w * away * inversesqrt(squared);
+    vec3 place = axis + size * (corner.x * side + corner.y * cross(side, ahead));
     across = corner;
-    strength = 0.75 * min(fade, 1.0);
-    vec2 middle = ball.xy + slide;
-    float size = ball.w * (1.35 + 0.4 * height / ball.w);
-    gl_Position = frame.view_projection * vec4(middle + size * corner, -frame.half_extent.z, 1.0);
+    gl_Position = vec4(shadow_place(normalize(place)), 2.0 * away / frame.shadow_range - 1.0, 1.0);
 }

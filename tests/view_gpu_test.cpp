@@ -116,6 +116,14 @@ vec3 pixel_at(const Pixels& pixels, const Picture& picture, const vec3& place) {
     return {pixels[i], pixels[i + 1], pixels[i + 2]};
 }
 
+// From the side of a direction, level with the box's centre.
+Camera look_at_from_side(Camera camera, const vec3& direction) {
+    camera.yaw = std::atan2(direction.y, direction.x) + 1.5707963f;
+    camera.pitch = 0.0f;
+    camera.position = -5.0f * forward(camera);
+    return camera;
+}
+
 constexpr std::array looks = {Look::model, Look::impostor};
 
 }  // namespace
@@ -169,7 +177,7 @@ TEST_CASE_METHOD(test::GlFixture, "the model covers the same pixels, but for its
     const vec4 ball{0.2f, 0.1f, -0.3f, 0.6f};
     scene.set_balls({ball});
     const std::vector<bool> expected = cast_rays(scene.picture.camera, ball);
-    scene.picture.grid.cell_width = 1.2;   // a ball of this size is drawn with the fine mesh
+    scene.picture.grid.cell_width = 1.2;  // a ball of this size is drawn with the fine mesh
     CHECK(differences(changed(empty, scene.draw()), expected) < count(expected) / 40);
     scene.picture.grid.cell_width = 0.1;
     CHECK(differences(changed(empty, scene.draw()), expected) < count(expected) / 10);
@@ -292,6 +300,30 @@ TEST_CASE_METHOD(test::GlFixture, "material and texture of the model show", "[vi
         scene.renderer.set_model(model);
         const vec3 blue = pixel_at(scene.draw(), scene.picture, vec3(0.0f));
         CHECK((blue.z > 50.0f && blue.x == 0.0f && blue.y == 0.0f));
+    }
+}
+
+TEST_CASE_METHOD(test::GlFixture, "a ball shades what lies behind it, and never itself", "[view]") {
+    Scene scene;
+    scene.picture.grid.cell_width = 0.8;
+    const vec3 to_light = glm::normalize(position(scene.picture.light, scene.picture.half_extent));
+    const vec4 ball{0, 0, 0, 0.4f};
+    const vec4 above{0.85f * to_light, 0.4f};
+    const vec3 top = 0.4f * to_light;
+    for (const Look look : looks) {
+        scene.picture.look = look;
+        scene.picture.show_shadows = true;
+        scene.set_balls({ball});
+        const Pixels alone = scene.draw();
+        scene.picture.show_shadows = false;
+        CHECK(scene.draw() == alone);
+        scene.picture.camera = look_at_from_side(scene.picture.camera, to_light);
+        scene.set_balls({ball, above});
+        const vec3 lit = pixel_at(scene.draw(), scene.picture, 0.97f * top);
+        scene.picture.show_shadows = true;
+        const vec3 shaded = pixel_at(scene.draw(), scene.picture, 0.97f * top);
+        CHECK(shaded.x < 0.9f * lit.x);
+        scene.picture.camera = home(scene.picture.half_extent);
     }
 }
 

@@ -31,7 +31,7 @@ struct FrameParams {
     uint ball_colour;
     vec2 picture_size;            // pixels
     float marker_radius;          // m
-    float padding;
+    float shadow_range;           // m that the shadow map's depth spans; 0: no shadows
     vec4 sequential[SEQUENTIAL_COLOURS];
     vec4 categorical[CATEGORICAL_COLOURS];
 };

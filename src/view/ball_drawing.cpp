@@ -7,13 +7,14 @@
 #include <span>
 #include <utility>
 
+#include "view/frame.h"
 #include "view/view_program.h"
 
 namespace ballpit::view {
 
 namespace {
 
-// Attribute locations of ball.vert, ball_impostor.vert and ball_shadow.vert.
+// Attribute locations of ball.vert, ball_impostor.vert, ball_shadow.vert and ball_contact.vert.
 enum Location : GLuint { at_vertex, at_normal, at_uv, at_ball, at_velocity };
 
 constexpr GLint square_corners = 4;
@@ -44,7 +45,8 @@ void point_at_balls(gl::VertexArray& array, const Picture& picture) {
 BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model& model)
     : model_program_(load_view_program(shader_folder, "ball")),
       impostor_program_(load_view_program(shader_folder, "ball_impostor")),
-      shadow_program_(load_view_program(shader_folder, "ball_shadow")) {
+      shadow_program_(load_view_program(shader_folder, "ball_shadow")),
+      contact_program_(load_view_program(shader_folder, "ball_contact")) {
     constexpr std::array<glm::vec2, square_corners> corners = {glm::vec2(-1.0f, -1.0f), glm::vec2(1.0f, -1.0f),
                                                                glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, 1.0f)};
     square_ = static_buffer("square", std::span<const glm::vec2>(corners));
@@ -91,13 +93,21 @@ void BallDrawing::use_surface(const gl::Program& program, const Surface& surface
     glUniform3f(program.uniform("diffuse"), surface.diffuse.x, surface.diffuse.y, surface.diffuse.z);
     glUniform3f(program.uniform("specular"), surface.specular.x, surface.specular.y, surface.specular.z);
     glUniform1f(program.uniform("shininess"), surface.shininess);
-    glUniform1i(program.uniform("surface"), 0);
-    surface.texture.bind(0);
+    surface.texture.bind(unit_surface);
 }
 
-void BallDrawing::draw_shadows(const Picture& picture) {
+void BallDrawing::draw_shadow_map(const Picture& picture) {
     point_at_balls(square_array_, picture);
     shadow_program_.use();
+    square_array_.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, square_corners, static_cast<GLsizei>(picture.ball_count));
+    glDisable(GL_DEPTH_TEST);
+}
+
+void BallDrawing::draw_contacts(const Picture& picture) {
+    point_at_balls(square_array_, picture);
+    contact_program_.use();
     square_array_.bind();
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);

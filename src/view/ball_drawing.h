@@ -19,8 +19,10 @@ public:
 
     void set_model(const Model& model);
 
+    /// Into a depth map, as the light sees them.
+    void draw_shadow_map(const Picture& picture);
     /// Soft dark discs on the ground; to be drawn right after it.
-    void draw_shadows(const Picture& picture);
+    void draw_contacts(const Picture& picture);
     void draw_balls(const Picture& picture);
 
 private:
@@ -48,6 +50,7 @@ private:
     gl::Program model_program_;
     gl::Program impostor_program_;
     gl::Program shadow_program_;
+    gl::Program contact_program_;
     std::vector<Mesh> meshes_;  // fine, then the coarser one if there is one
     gl::VertexArray square_array_;
     gl::Buffer square_;

@@ -34,6 +34,11 @@ void fill_light(layout::FrameParams& frame, const Picture& picture) {
     frame.light_colour = light.intensity * linear_from_srgb(light.colour);
     frame.light_distance = std::max(glm::length(frame.light_position), 1e-6f);
     frame.ambient = light.ambient;
+    // Where the largest balls are smaller than a pixel of the shadow map, shadows would be noise.
+    const bool fine_enough =
+        0.25f * static_cast<float>(shadow_map_size * picture.grid.cell_width) > frame.light_distance;
+    const bool shadows = picture.show_shadows && fine_enough;
+    frame.shadow_range = shadows ? frame.light_distance + glm::length(picture.half_extent) : 0.0f;
     frame.marker_radius = 0.045f * glm::length(picture.half_extent);
 }
 

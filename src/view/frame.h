@@ -26,6 +26,10 @@ static_assert(offsetof(FrameParams, eye) == 64 && offsetof(FrameParams, grid_cel
 
 namespace ballpit::view {
 
+inline constexpr int shadow_map_size = 1024;  // pixels a side
+inline constexpr GLuint unit_surface = 0;     // texture units
+inline constexpr GLuint unit_shadow_map = 1;
+
 layout::FrameParams make_frame(const Picture& picture);
 
 /// m between the lines of the ground: 1 m, or a round number that keeps a large or tiny box readable.

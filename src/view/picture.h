@@ -39,6 +39,7 @@ struct Picture {
     bool show_box = true;
     bool show_ground = true;
     bool show_light = true;
+    bool show_shadows = true;     // some ms more where a CPU draws
     bool show_cells = false;      // occupied cells, coloured by count
     std::uint32_t top_count = 8;  // balls in a cell that get the sequential palette's last colour
     int width = 1280;             // pixels

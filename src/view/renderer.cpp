@@ -4,6 +4,7 @@
 #include <span>
 
 #include "gl/debug.h"
+#include "gl/depth_map.h"
 #include "view/ball_drawing.h"
 #include "view/cell_drawing.h"
 #include "view/frame.h"
@@ -18,10 +19,47 @@ struct Renderer::Parts {
           surroundings(shader_folder),
           frame("frame", sizeof(layout::FrameParams), GL_DYNAMIC_DRAW) {}
 
+    void draw_shadow_map(const Picture& picture) {
+        GLint target = 0;
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+        shadow_map.bind_target();
+        glClear(GL_DEPTH_BUFFER_BIT);
+        if (picture.ball_count != 0) {
+            balls.draw_shadow_map(picture);
+        }
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(target));
+    }
+
+    void draw_picture(const Picture& picture) {
+        glViewport(0, 0, picture.width, picture.height);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        shadow_map.bind(unit_shadow_map);
+        surroundings.draw_background();
+        if (picture.show_ground) {
+            surroundings.draw_ground();
+            if (picture.ball_count != 0 && picture.camera.position.z > -picture.half_extent.z) {
+                balls.draw_contacts(picture);
+            }
+        }
+        if (picture.ball_count != 0) {
+            balls.draw_balls(picture);
+        }
+        if (picture.show_box) {
+            surroundings.draw_box();
+        }
+        if (picture.show_cells && picture.cell_ranges != nullptr) {
+            cells.draw(picture);
+        }
+        if (picture.show_light) {
+            surroundings.draw_light_marker();
+        }
+    }
+
     BallDrawing balls;
     CellDrawing cells;
     Surroundings surroundings;
     gl::Buffer frame;
+    gl::DepthMap shadow_map{shadow_map_size};
 };
 
 Renderer::Renderer(const std::filesystem::path& shader_folder, const Model& ball_model)
@@ -41,35 +79,16 @@ void Renderer::draw(const Picture& picture) {
     const layout::FrameParams frame = make_frame(picture);
     parts_->frame.write(std::as_bytes(std::span(&frame, 1)));
     parts_->frame.bind_base(GL_UNIFORM_BUFFER, BLOCK_FRAME);
-    glViewport(0, 0, picture.width, picture.height);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LEQUAL);
-    glClear(GL_DEPTH_BUFFER_BIT);
-
-    const bool has_balls = picture.ball_count != 0 && picture.positions != nullptr;
-    assert(!has_balls || picture.positions->size() >= picture.ball_count * sizeof(vec4));
-    parts_->surroundings.draw_background();
-    if (picture.show_ground) {
-        parts_->surroundings.draw_ground();
-        if (has_balls && picture.camera.position.z > -picture.half_extent.z) {
-            parts_->balls.draw_shadows(picture);
-        }
+    assert(picture.ball_count == 0 || picture.positions->size() >= picture.ball_count * sizeof(vec4));
+    if (frame.shadow_range != 0.0f) {
+        parts_->draw_shadow_map(picture);
     }
-    if (has_balls) {
-        parts_->balls.draw_balls(picture);
-    }
-    if (picture.show_box) {
-        parts_->surroundings.draw_box();
-    }
-    if (picture.show_cells && picture.cell_ranges != nullptr) {
-        parts_->cells.draw(picture);
-    }
-    if (picture.show_light) {
-        parts_->surroundings.draw_light_marker();
-    }
+    parts_->draw_picture(picture);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(0);
 }

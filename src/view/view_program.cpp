@@ -15,6 +15,9 @@ gl::Program load_view_program(const std::filesystem::path& shader_folder, const 
     if (block != GL_INVALID_INDEX) {
         glUniformBlockBinding(program.id(), block, BLOCK_FRAME);
     }
+    program.use();
+    glUniform1i(program.uniform("surface"), unit_surface);
+    glUniform1i(program.uniform("shadow_map"), unit_shadow_map);
     return program;
 }
 

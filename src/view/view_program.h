@@ -8,7 +8,8 @@
 
 namespace ballpit::view {
 
-/// <stem>.vert and <stem>.frag of the folder, linked, with the frame block at its place. Throws gl::ShaderError.
+/// <stem>.vert and <stem>.frag of the folder, linked, with frame block and textures at their places. Throws
+/// gl::ShaderError.
 gl::Program load_view_program(const std::filesystem::path& shader_folder, const std::string& stem);
 
 }  // namespace ballpit::view

@@ -1,0 +1,25 @@
+#version 330 core
+// A soft dark disc on the ground below each ball near it: less light from everywhere gets there.
+#include "shared/frame.glsl"
+#include "shared/ball.glsl"
+
+layout(location = 0) in vec2 corner;     // -1 or 1
+layout(location = 3) in vec4 ball;       // centre, radius
+
+out vec2 across;
+flat out float strength;
+
+const float reach = 3.0;                 // radii above the ground from where a ball darkens nothing
+
+void main() {
+    float height = (ball.z - ball.w + frame.half_extent.z) / ball.w;
+    float fade = min(1.0 - height / reach, 1.0);
+    if (!is_finite(ball) || !(fade > 0.0)) {
+        gl_Position = nowhere;
+        return;
+    }
+    across = corner;
+    strength = 0.6 * fade;
+    vec2 place = ball.xy + (1.35 + 0.4 * height) * ball.w * corner;
+    gl_Position = frame.view_projection * vec4(place, -frame.half_extent.z, 1.0);
+}
