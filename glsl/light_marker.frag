@@ -10,6 +10,7 @@ void main() {
     float r = length(across);
     float core = 1.0 - smoothstep(0.26, 0.32, r);
     float halo = max(1.0 - r, 0.0);
-    vec3 hue = frame.light_colour / max(max(frame.light_colour.r, frame.light_colour.g), max(frame.light_colour.b, 1e-6));
+    vec3 light = frame.light_colour;
+    vec3 hue = light / max(max(light.r, light.g), max(light.b, 1e-6));
     colour = vec4(srgb(hue), core + 0.55 * halo * halo);
 }

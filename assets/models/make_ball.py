@@ -34,7 +34,8 @@ def write_obj(path, meridians, bands):
         polar = math.pi * j / bands
         for i in range(meridians):
             longitude = 2 * math.pi * i / meridians
-            points.append((math.sin(polar) * math.cos(longitude), math.sin(polar) * math.sin(longitude), math.cos(polar)))
+            ring = math.sin(polar)
+            points.append((ring * math.cos(longitude), ring * math.sin(longitude), math.cos(polar)))
     points.append((0.0, 0.0, -1.0))
     lines += [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in points]
     for j in range(bands + 1):

@@ -27,7 +27,8 @@ vec4 ball_tint(uint ball, vec3 centre, vec3 velocity) {
         return vec4(sequential_colour(length(velocity) / frame.top_speed), 1.0);
     }
     if (frame.ball_colour == COLOUR_CELL) {
-        vec3 cell = clamp(floor((centre - frame.grid_origin) / frame.cell_width), vec3(0.0), vec3(frame.grid_cells) - 1.0);
+        vec3 cell = floor((centre - frame.grid_origin) / frame.cell_width);
+        cell = clamp(cell, vec3(0.0), vec3(frame.grid_cells) - 1.0);
         uint id = (uint(cell.z) * frame.grid_cells.y + uint(cell.y)) * frame.grid_cells.x + uint(cell.x);
         return vec4(frame.categorical[scrambled(id) % uint(CATEGORICAL_COLOURS)].rgb, 1.0);
     }
