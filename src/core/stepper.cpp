@@ -61,7 +61,11 @@ const Schedule& Stepper::schedule() {
 }
 
 void Stepper::run_dispatches(std::uint32_t last) {
-    simulation_.backend().run(schedule(), simulation_.params(), dispatch_, last);
+    if (runner_) {
+        runner_(schedule(), simulation_.params(), dispatch_, last);
+    } else {
+        simulation_.backend().run(schedule(), simulation_.params(), dispatch_, last);
+    }
     dispatch_ = last;
     if (dispatch_ == dispatches()) {
         const Moment before = moment();
@@ -71,7 +75,7 @@ void Stepper::run_dispatches(std::uint32_t last) {
 }
 
 void Stepper::finish_substep() {
-    if (dispatch_ > 0) {
+    if (dispatch_ > 0 || (runner_ && dispatches() > 0)) {
         run_dispatches(dispatches());
         return;
     }

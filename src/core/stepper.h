@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,12 @@ public:
     /// Any position that has been reached before, or lies ahead.
     void go_to(const Position& target);
 
+    /// Runs dispatches [first, last) of schedule() in the backend's place, for whoever compares or counts while they
+    /// run; whole substeps then go through it, too. Empty: the backend itself.
+    using Runner =
+        std::function<void(const Schedule&, const SubstepParams<double>&, std::size_t first, std::size_t last)>;
+    void set_runner(Runner runner) { runner_ = std::move(runner); }
+
     /// Takes the hashes that the device has ready and compares them with what is remembered.
     void update();
     const std::optional<Divergence>& divergence() const { return divergence_; }
@@ -78,6 +85,7 @@ private:
     Simulation& simulation_;
     Timeline timeline_;
     std::uint32_t dispatch_ = 0;
+    Runner runner_;
     std::optional<Schedule> schedule_;  // of this moment, made when it is asked for
     std::uint64_t epoch_ = 0;           // tells hashes of a timeline that was left from those of this one
     std::optional<Divergence> divergence_;

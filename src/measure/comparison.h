@@ -26,9 +26,6 @@ struct Comparison {
 /// can be from every other float, and 0 from a NaN of the same bits.
 std::uint64_t ulp_distance(float a, float b);
 
-/// Elements that a slot's bytes hold.
-std::size_t element_count(Slot slot, std::span<const std::byte> bytes);
-
 /// Elements of four bytes or structs of them, as the slot has; `bounds` gives the largest explained distance of
 /// each element's floats (empty: none). Sizes that differ count every missing element as beyond.
 Comparison compare_slot(Slot slot, std::span<const std::byte> gpu, std::span<const std::byte> cpu,

@@ -5,6 +5,7 @@
 #include "measure/float_bound.h"
 #include "measure/invariants.h"
 #include "measure/momentum.h"
+#include "measure/slot_table.h"
 
 namespace ballpit::measure {
 
