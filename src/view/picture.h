@@ -7,6 +7,8 @@
 #include "gl/buffer.h"
 #include "view/camera.h"
 #include "view/light.h"
+#include "view/overlay.h"
+#include "view/palette.h"
 
 namespace ballpit::view {
 
@@ -20,6 +22,7 @@ enum class BallColour : std::uint8_t {
     plain,   // texture only
     speed,   // sequential palette, 0 to `top_speed`; needs velocities
     cell,    // categorical palette by grid cell
+    value,   // `values` by `value_palette`; needs values
 };
 
 /// Everything that one picture shows. The buffers must have been written before, as the draw sees them (GPU
@@ -42,7 +45,20 @@ struct Picture {
     bool show_shadows = true;     // some ms more where a CPU draws
     bool show_cells = false;      // occupied cells, coloured by count
     std::uint32_t top_count = 8;  // balls in a cell that get the sequential palette's last colour
-    int width = 1280;             // pixels
+
+    // For BallColour::value. NaN is grey.
+    const gl::Buffer* values = nullptr;  // float a ball
+    Palette value_palette = Palette::sequential;
+    float value_low = 0.0f;  // first and last colour; the categorical palette takes whole numbers and needs no range
+    float value_high = 1.0f;
+
+    const Overlay* overlay = nullptr;  // may be null
+    float time_s = 0.0f;               // what blinks goes by this
+
+    // Where in the framebuffer, pixels from its lower left corner; nothing outside is touched.
+    int x = 0;
+    int y = 0;
+    int width = 1280;
     int height = 720;
 };
 

@@ -20,8 +20,9 @@ public:
 
     void set_model(const Model& ball_model);
 
-    /// Fills the bound framebuffer from its lower left corner, width x height pixels, colour and depth. Leaves
-    /// depth test, culling and blending off. A ball whose position or radius is not finite is not drawn.
+    /// Fills the picture's rectangle of the bound framebuffer, colour and depth, so that several pictures can stand
+    /// side by side. Leaves depth test, culling, blending and scissor off. A ball whose position or radius is not
+    /// finite is not drawn.
     void draw(const Picture& picture);
 
 private:
