@@ -144,7 +144,6 @@ TEST_CASE("check names the ball whose velocity is wrong, and the one that is no 
     });
     CHECK_FALSE(shifted.passed());
     CHECK(contains(row_of(shifted, Stage::collide, Slot::next_velocities).first, "substep 0, collide, ball 33: "));
-    CHECK(shifted.violations.empty());
     const auto broken = check_with_fault(Stage::collide, [](Backend& backend) {
         change_slot<vec4>(backend, Slot::next_positions, [](std::vector<vec4>& all) { all[34].z = not_a_number; });
     });

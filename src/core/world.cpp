@@ -102,7 +102,9 @@ BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, con
     BallSpec spec;
     spec.radius = std::lerp(fill.radius[0], fill.radius[1], random_unit(seed, stream_radius, ball));
     spec.mass = sphere_mass(spec.radius, fill.density);
-    spec.velocity = fill.speed * random_direction(seed, ball);
+    if (fill.speed > 0.0) {   // 0 times a negative direction would be -0, which compilers treat as they like
+        spec.velocity = fill.speed * random_direction(seed, ball);
+    }
     for (std::uint32_t attempt = 0; attempt < tries_per_ball; ++attempt) {
         const std::uint64_t index = (ball * tries_per_ball + attempt) * 3;
         for (int axis = 0; axis < 3; ++axis) {

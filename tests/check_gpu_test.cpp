@@ -1,0 +1,137 @@
+// The GPU against the mirror, dispatch by dispatch, on the scenes that ship: integers exactly, floats bit for bit
+// where the device rounds as the CPU does, else within the derived bound.
+#include "measure/check.h"
+
+#include "cpu/cpu_backend.h"
+#include "support/balls.h"
+#include "support/catch.h"
+#include "support/gl_fixture.h"
+#include "support/gpu_backend.h"
+
+using namespace ballpit;
+using test::GlFixture;
+
+namespace {
+
+constexpr std::array sorts = {SortMethod::bitonic, SortMethod::bitonic_fused};
+
+void expect_agreement(const measure::CheckReport& report, bool bitwise) {
+    for (const measure::CheckRow& row : report.rows) {
+        CAPTURE(stage_name(row.stage), slot_name(row.slot), row.first, row.max_ulp);
+        CHECK(row.beyond_bound == 0);
+        CHECK((row.max_ulp == 0 || !bitwise));  // -0 counts as 0
+    }
+    for (const std::string& violation : report.violations) {
+        FAIL_CHECK(violation);
+    }
+    CHECK(report.passed());
+}
+
+// `warm_up` steps first, so that contacts are met.
+void check_scene(const Scene& scene, const Settings& settings, int warm_up, std::uint64_t steps) {
+    Simulation simulation(scene, settings, test::seed_of(scene), test::gpu_backend());
+    for (int i = 0; i < warm_up; ++i) {
+        simulation.step();
+    }
+    cpu::CpuBackend<float> mirror;
+    expect_agreement(measure::check(simulation, mirror, steps), test::rounds_like_the_cpu(simulation.backend()));
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(GlFixture, "every scene agrees with the mirror at awkward counts", "[gpu-check]") {
+    for (const std::string_view name : test::shipped_scene_names) {
+        const Scene scene = test::shipped_scene(name);
+        for (const std::uint32_t balls : {0u, 1u, 2u, 63u, 64u, 65u}) {
+            if (!scene.fill && balls > scene.balls.size()) {
+                continue;
+            }
+            for (const SortMethod sort : sorts) {
+                Settings settings = scene.settings;
+                settings.balls = balls;
+                settings.substeps = 4;
+                settings.sort = sort;
+                CAPTURE(name, balls, sort_names[static_cast<std::size_t>(sort)]);
+                check_scene(scene, settings, 0, 2);
+            }
+        }
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "every scene agrees with the mirror at its own count, in the middle of its run",
+                 "[gpu-check]") {
+    for (const std::string_view name : test::shipped_scene_names) {
+        const Scene scene = test::shipped_scene(name);
+        Settings settings = scene.settings;
+        settings.substeps = 4;
+        CAPTURE(name);
+        check_scene(scene, settings, 60, 1);
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "5000 and 65537 balls agree with the mirror in both sorts", "[gpu-check]") {
+    const Scene scene = test::shipped_scene("rain");
+    for (const std::uint32_t balls : {5000u, 65537u}) {
+        for (const SortMethod sort : sorts) {
+            Settings settings = scene.settings;
+            settings.balls = balls;
+            settings.substeps = 1;
+            settings.sort = sort;
+            CAPTURE(balls, sort_names[static_cast<std::size_t>(sort)]);
+            check_scene(scene, settings, 0, 1);
+        }
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "every integrator and every set of laws agrees with the mirror", "[gpu-check]") {
+    const Scene all = test::shipped_scene("pile");
+    for (std::size_t integrator = 0; integrator < integrator_names.size(); ++integrator) {
+        for (unsigned laws = 0; laws < 32; ++laws) {
+            Scene scene = all;
+            scene.laws.gravity = (laws & 1u) != 0;
+            scene.laws.drag = (laws & 2u) != 0;
+            scene.laws.contact = (laws & 4u) != 0;
+            scene.laws.restitution = scene.laws.contact && (laws & 8u) != 0;
+            scene.laws.walls = scene.laws.contact && (laws & 16u) != 0;
+            scene.fill->region = {dvec3(-2.5, -2.5, -3), dvec3(-1.5, -1.5, -2)};  // too small: everybody touches
+            Settings settings = scene.settings;
+            settings.balls = 100;
+            settings.substeps = 2;
+            settings.limit_force = (laws & 1u) != 0;
+            settings.integrator = static_cast<Integrator>(integrator);
+            CAPTURE(integrator_names[integrator], laws);
+            check_scene(scene, settings, 0, 1);
+        }
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "a ball's own restitution agrees with the mirror", "[gpu-check]") {
+    Scene scene = test::shipped_scene("newtons_cradle");
+    scene.balls[0].restitution = 0.3;
+    scene.balls[1].velocity = {-0.5, 0.1, 0};
+    scene.balls[2].restitution = 0.8;
+    check_scene(scene, scene.settings, 0, 4);
+}
+
+TEST_CASE_METHOD(GlFixture, "a whole run on the GPU is the mirror's run, to the last bit", "[gpu-check]") {
+    const Scene scene = test::shipped_scene("rain");
+    Settings settings = scene.settings;
+    settings.balls = 500;
+    Simulation on_gpu(scene, settings, 42, test::gpu_backend());
+    Simulation on_cpu(scene, settings, 42, std::make_unique<cpu::CpuBackend<float>>());
+    for (int i = 0; i < 80; ++i) {
+        on_gpu.step();
+        on_cpu.step();
+    }
+    if (test::rounds_like_the_cpu(on_gpu.backend())) {
+        CHECK(hash_state(on_gpu.raw_state()) == hash_state(on_cpu.raw_state()));
+    } else {
+        WARN("this device rounds in its own way: only the dispatches are compared, not the run");
+    }
+    // On any device: the same run twice.
+    Simulation again(scene, settings, 42, test::gpu_backend());
+    for (int i = 0; i < 80; ++i) {
+        again.step();
+    }
+    CHECK(hash_state(again.raw_state()) == hash_state(on_gpu.raw_state()));
+}
