@@ -6,6 +6,10 @@
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wunused-function"
+#if !defined(__clang__)
+// gcc 16 does not see that memory needs no callbacks.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #endif
 
 #define STB_IMAGE_STATIC
