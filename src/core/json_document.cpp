@@ -126,8 +126,9 @@ public:
     bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
         // The position is one past the last byte read, which is the culprit (or the end of the text).
         const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
-        throw InputError(place_in_text(text_, offset, file_) + ": expected JSON, found " +
-                         syntax_complaint(error.what()));
+        // The library's words for an empty text differ from version to version.
+        const std::string found = text_.empty() ? "an empty file" : syntax_complaint(error.what());
+        throw InputError(place_in_text(text_, offset, file_) + ": expected JSON, found " + found);
     }
 
 private:
