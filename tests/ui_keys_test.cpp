@@ -1,0 +1,157 @@
+// Keys: each row of the help page has the keys that it prints, and modifiers are not ours to take.
+#include <set>
+
+#include "app/input.h"
+#include "support/catch.h"
+
+using namespace ballpit;
+using app::action_of;
+using ui::Action;
+
+namespace {
+
+SDL_Keysym key(SDL_Keycode code, int mod = KMOD_NONE, SDL_Scancode scancode = SDL_SCANCODE_UNKNOWN) {
+    SDL_Keysym sym{};
+    sym.sym = code;
+    sym.mod = static_cast<Uint16>(mod);
+    sym.scancode = scancode;
+    return sym;
+}
+
+SDL_Event press(SDL_Keycode code, int mod = KMOD_NONE) {
+    SDL_Event event{};
+    event.type = SDL_KEYDOWN;
+    event.key.keysym = key(code, mod);
+    return event;
+}
+
+SDL_Event button(Uint32 type, Uint8 which) {
+    SDL_Event event{};
+    event.type = type;
+    event.button.type = type;
+    event.button.button = which;
+    return event;
+}
+
+SDL_Event motion(int x, int y) {
+    SDL_Event event{};
+    event.type = SDL_MOUSEMOTION;
+    event.motion.xrel = x;
+    event.motion.yrel = y;
+    return event;
+}
+
+constexpr int height = 720;
+
+}  // namespace
+
+TEST_CASE("keys do what the help page says", "[ui]") {
+    CHECK(action_of(key(SDLK_SPACE), false) == Action::toggle_run);
+    CHECK(action_of(key(SDLK_p), false) == Action::toggle_run);
+    CHECK(action_of(key(SDLK_RIGHT), false) == Action::one_step);
+    CHECK(action_of(key(SDLK_o), false) == Action::one_step);
+    CHECK(action_of(key(SDLK_RETURN), false) == Action::one_step);
+    CHECK(action_of(key(SDLK_KP_ENTER), false) == Action::one_step);
+    CHECK(action_of(key(SDLK_r), false) == Action::restart);
+    CHECK(action_of(key(SDLK_r, KMOD_LSHIFT), false) == Action::new_seed);
+    CHECK(action_of(key(SDLK_LEFTBRACKET), false) == Action::previous_scene);
+    CHECK(action_of(key(SDLK_RIGHTBRACKET), false) == Action::next_scene);
+    CHECK(action_of(key(SDLK_g), false) == Action::toggle_occupancy);
+    CHECK(action_of(key(SDLK_F3), false) == Action::toggle_timings);
+    CHECK(action_of(key(SDLK_TAB), false) == Action::toggle_panels);
+    CHECK(action_of(key(SDLK_F11), false) == Action::full_screen);
+    CHECK(action_of(key(SDLK_HOME), false) == Action::camera_home);
+    CHECK(action_of(key(SDLK_F1), false) == Action::toggle_help);
+    CHECK(action_of(key(SDLK_ESCAPE), false) == Action::close);
+    CHECK(action_of(key(SDLK_q, KMOD_LCTRL), false) == Action::quit);
+    CHECK_FALSE(action_of(key(SDLK_x), false));
+}
+
+TEST_CASE("camera keys are no actions", "[ui]") {
+    for (const SDL_Keycode code : {SDLK_w, SDLK_a, SDLK_s, SDLK_d, SDLK_e, SDLK_q}) {
+        CHECK_FALSE(action_of(key(code), false));
+    }
+}
+
+TEST_CASE("the brackets' places count on keyboards without brackets", "[ui]") {
+    CHECK(action_of(key(0xFC, KMOD_NONE, SDL_SCANCODE_LEFTBRACKET), false) == Action::previous_scene);
+    CHECK(action_of(key(SDLK_PLUS, KMOD_NONE, SDL_SCANCODE_RIGHTBRACKET), false) == Action::next_scene);
+}
+
+TEST_CASE("Ctrl, Alt and the system key belong to others, but for Ctrl+Q", "[ui]") {
+    for (const int mod : {int(KMOD_LCTRL), int(KMOD_LALT), int(KMOD_LGUI)}) {
+        CHECK_FALSE(action_of(key(SDLK_r, mod), false));
+        CHECK_FALSE(action_of(key(SDLK_SPACE, mod), false));
+        CHECK_FALSE(action_of(key(SDLK_TAB, mod), false));
+    }
+}
+
+TEST_CASE("a held key steps on and on, and toggles nothing twice", "[ui]") {
+    CHECK(action_of(key(SDLK_RIGHT), true) == Action::one_step);
+    CHECK_FALSE(action_of(key(SDLK_SPACE), true));
+    CHECK_FALSE(action_of(key(SDLK_RIGHTBRACKET), true));
+    CHECK_FALSE(action_of(key(SDLK_q, KMOD_LCTRL), true));
+}
+
+TEST_CASE("every action has one row on the help page, and a key", "[ui]") {
+    std::set<Action> rows;
+    for (const ui::KeyRow& row : ui::key_table()) {
+        CHECK(rows.insert(row.action).second);
+        CHECK_FALSE(row.keys.empty());
+        CHECK_FALSE(row.meaning.empty());
+        CHECK(ui::key_hint(row.action) == row.hint);
+        CHECK(row.keys.find(row.hint) != std::string_view::npos);
+    }
+    CHECK(rows.size() == ui::action_count);
+}
+
+TEST_CASE("letters typed into a field are not keys", "[ui]") {
+    app::Input input;
+    input.handle(press(SDLK_r), true, false, height);
+    input.handle(press(SDLK_ESCAPE), true, false, height);
+    input.handle(press(SDLK_RETURN), true, false, height);
+    CHECK(input.take_commands().empty());
+    input.handle(press(SDLK_r), false, false, height);
+    CHECK(input.take_commands().size() == 1);
+    CHECK(input.take_commands().empty());
+}
+
+TEST_CASE("a drag that begins on a panel does not turn the camera, wherever it goes", "[ui]") {
+    const vec3 box(4.0f);
+    const view::Camera start = view::home(box);
+    const auto after_drag = [&](bool on_panel, Uint8 which) {
+        app::Input input;
+        input.handle(button(SDL_MOUSEBUTTONDOWN, which), false, on_panel, height);
+        input.handle(motion(100, 50), false, false, height);
+        input.handle(button(SDL_MOUSEBUTTONUP, which), false, false, height);
+        input.handle(motion(500, 500), false, false, height);  // released: no more
+        return input.moved(start, box, 0.0f, false);
+    };
+    const view::Camera still = after_drag(true, SDL_BUTTON_LEFT);
+    CHECK(still.yaw == start.yaw);
+    CHECK(still.position == start.position);
+
+    const view::Camera looked = after_drag(false, SDL_BUTTON_LEFT);
+    CHECK(looked.yaw != start.yaw);
+    CHECK(looked.position == start.position);
+    const view::Camera expected = view::look(start, view::vec2(100.0f, 50.0f) / static_cast<float>(height));
+    CHECK(looked.yaw == Approx(expected.yaw));
+    CHECK(looked.pitch == Approx(expected.pitch));
+
+    const view::Camera panned = after_drag(false, SDL_BUTTON_RIGHT);
+    CHECK(panned.yaw == start.yaw);
+    CHECK(panned.position != start.position);
+}
+
+TEST_CASE("the wheel over a panel scrolls the panel", "[ui]") {
+    const vec3 box(4.0f);
+    const view::Camera start = view::home(box);
+    SDL_Event wheel{};
+    wheel.type = SDL_MOUSEWHEEL;
+    wheel.wheel.preciseY = 1.0f;
+    app::Input input;
+    input.handle(wheel, false, true, height);
+    CHECK(input.moved(start, box, 0.0f, false).position == start.position);
+    input.handle(wheel, false, false, height);
+    CHECK(input.moved(start, box, 0.0f, false).position != start.position);
+}

@@ -1,0 +1,247 @@
+// The panels as a user meets them: what can be read, and what every click asks for.
+#include <array>
+#include <set>
+#include <variant>
+
+#include "core/error.h"
+#include "core/random.h"
+#include "support/catch.h"
+#include "support/headless_gui.h"
+#include "ui/action.h"
+#include "ui/status_panel.h"
+
+using namespace ballpit;
+
+namespace {
+
+const std::array<ui::SceneChoice, 3> scenes = {
+    {{"Rain", "Balls fall."}, {"Two balls", "They meet."}, {"Gas", "No gravity."}}};
+
+vec3 grey(float amount) { return vec3(amount); }
+
+ui::State full_state() {
+    ui::State state;
+    state.scenes = scenes;
+    state.settings.balls = state.defaults.balls = 5000;
+    state.features.bits = 0x3F;  // every law
+    state.backend_name = "gpu";
+    state.amount_colour = grey;
+    return state;
+}
+
+std::string settings_text(test::HeadlessGui& gui, const ui::State& state) {
+    return gui.text([&state] {
+        ui::Commands commands;
+        ui::settings_panel(state, commands);
+    });
+}
+
+bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+void check_settings(const Settings& settings) {
+    for (const SettingInfo& info : setting_table()) {
+        Settings parsed;  // what the command line refuses, a slider must not give
+        CHECK_NOTHROW(assign_setting(parsed, info.key, setting_text(info, settings)));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("every setting of a law that the scene has is on the panel, and no other", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    const std::string all = settings_text(gui, state);
+    for (const SettingInfo& info : setting_table()) {
+        INFO(info.label);
+        CHECK(contains(all, info.label));
+    }
+    state.features = {};
+    const std::string few = settings_text(gui, state);
+    CHECK(contains(few, "Balls"));
+    CHECK(contains(few, "Substeps"));
+    for (const char* absent : {"Gravity", "Drag", "Stiffness", "Restitution", "Cell factor", "Sort"}) {
+        INFO(absent);
+        CHECK_FALSE(contains(few, absent));
+    }
+}
+
+TEST_CASE("values show their units, and a changed one its way back", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    state.settings.stiffness = state.defaults.stiffness = 100000.0;
+    const std::string unchanged = settings_text(gui, state);
+    CHECK(contains(unchanged, "100000 N/m"));
+    CHECK_FALSE(contains(unchanged, "↺"));
+    state.settings.stiffness = 5.0;
+    const std::string changed = settings_text(gui, state);
+    CHECK(contains(changed, "5 N/m"));
+    CHECK(contains(changed, "↺"));
+}
+
+TEST_CASE("the help page names every key beside its meaning", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    const std::string page = gui.text([&state] {
+        ui::Commands commands;
+        ui::help_page(state, commands);
+    });
+    for (const ui::KeyRow& row : ui::key_table()) {
+        INFO(row.meaning);
+        CHECK(contains(page, row.meaning));
+    }
+    for (const ui::CameraRow& row : ui::camera_table()) {
+        CHECK(contains(page, row.meaning));
+    }
+}
+
+TEST_CASE("hidden panels leave only what went wrong", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    state.view.occupancy = state.view.timings = true;
+    gui.frame(state);
+    for (const char* window : {"frame rate", "controls", "occupancy", "timings"}) {
+        INFO(window);
+        CHECK(gui.shows(window));
+    }
+    state.view.panels = false;
+    state.message = "No OpenGL 4.3 here.";
+    state.status.bits = STATUS_NOT_FINITE;
+    gui.frame(state);
+    for (const char* window : {"frame rate", "controls", "occupancy", "timings", "help"}) {
+        INFO(window);
+        CHECK_FALSE(gui.shows(window));
+    }
+    CHECK(gui.shows("message"));
+    CHECK(gui.shows("status"));
+    state.message = {};
+    state.status = {};
+    state.view.help = true;
+    gui.frame(state);
+    CHECK_FALSE(gui.shows("message"));
+    CHECK_FALSE(gui.shows("status"));
+    CHECK(gui.shows("help"));
+}
+
+TEST_CASE("a failure is told with its stage and its count", "[ui]") {
+    CHECK(ui::failure_sentences({}).empty());
+    const Status all{STATUS_NOT_FINITE | STATUS_OUT_OF_BOUNDS | STATUS_OVER_CAPACITY, 1, 2000, 3};
+    const auto sentences = ui::failure_sentences(all);
+    REQUIRE(sentences.size() == 3);
+    CHECK(contains(sentences[0], "collide"));
+    CHECK(contains(sentences[0], "1 time."));
+    CHECK(contains(sentences[1], "assign_cells"));
+    CHECK(contains(sentences[1], "2\u2009000 times"));
+    CHECK(contains(sentences[2], "build_grid"));
+}
+
+TEST_CASE("overlays say what they know", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    const auto occupancy_text = [&] { return gui.text([&state] { ui::occupancy_panel(state); }); };
+    CHECK(contains(occupancy_text(), "Waiting"));
+    measure::Occupancy occupancy;
+    occupancy.histogram = {10, 5, 2, 0, 1};
+    occupancy.occupied = 8;
+    occupancy.max = 4;
+    occupancy.mean_occupied = 1.75;
+    state.occupancy = &occupancy;
+    CHECK(contains(occupancy_text(), "mean 1.75"));
+    state.has_grid = false;
+    CHECK(contains(occupancy_text(), "no contacts"));
+
+    const std::array<float, 3> history = {1.0f, 2.0f, 4.0f};
+    const std::array<ui::TimingRow, 2> rows = {
+        {{"collide", "substep", vec3(1.0f), 4.0, 2.0, history}, {"drawing", "frame", vec3(1.0f), 0.0, 0.0, {}}}};
+    state.timings = rows;
+    const std::string timings = gui.text([&state] { ui::timings_panel(state); });
+    for (const char* part : {"collide", "4.00", "2.00", "substep", "drawing", "frame"}) {
+        INFO(part);
+        CHECK(contains(timings, part));
+    }
+}
+
+TEST_CASE("slow motion is told, real time is not complained about", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    const auto text = [&] { return gui.text([&state] { ui::frame_rate_panel(state); }); };
+    CHECK(contains(text(), "paused"));
+    state.running = true;
+    state.achieved = 0.97;
+    CHECK(contains(text(), "real time"));
+    CHECK_FALSE(contains(text(), "slow motion"));
+    state.achieved = 0.25;
+    CHECK(contains(text(), "slow motion: 0.25 × real time"));
+}
+
+TEST_CASE("nobody touches anything: nothing is asked for", "[ui]") {
+    test::HeadlessGui gui;
+    const ui::State state = full_state();
+    for (int i = 0; i < 10; ++i) {
+        CHECK(gui.frame(state).empty());
+    }
+}
+
+// Clicks all over the side panel. The state never changes, so each command shows what one click does.
+TEST_CASE("whatever is clicked asks for something that can be had, and every control is reached", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    std::set<std::size_t> kinds;
+    std::set<ui::Action> actions;
+    for (std::uint64_t i = 0; i < 6000; ++i) {
+        const auto x = static_cast<float>(900.0 + 380.0 * random_unit(1, 0, i));
+        const auto y = static_cast<float>(720.0 * random_unit(1, 1, i));
+        state.settings.stiffness = i % 2 == 0 ? 1000.0 : 500.0;  // so that there is a value to reset
+        for (const ui::Command& command : gui.click(state, x, y)) {
+            kinds.insert(command.index());
+            if (const auto* action = std::get_if<ui::Action>(&command)) {
+                actions.insert(*action);
+            } else if (const auto* change = std::get_if<ui::ChangeSettings>(&command)) {
+                check_settings(change->settings);
+            } else if (const auto* scene = std::get_if<ui::ChooseScene>(&command)) {
+                CHECK(scene->index < scenes.size());
+            } else if (const auto* speed = std::get_if<ui::ChangeSpeed>(&command)) {
+                CHECK(speed->speed >= ui::slowest_time);
+                CHECK(speed->speed <= ui::fastest_time);
+            }
+        }
+    }
+    const auto reached = [&kinds](const ui::Command& command) { return kinds.count(command.index()) == 1; };
+    CHECK(reached(ui::ChangeSettings{}));
+    CHECK(reached(ui::ChooseScene{}));
+    CHECK(reached(ui::ChooseBackend{}));
+    CHECK(reached(ui::ChangeSpeed{}));
+    CHECK(reached(ui::ChangeView{}));
+    CHECK(reached(ui::ChangeLight{}));
+    CHECK(reached(ui::ChangeTextSize{}));
+    using ui::Action;
+    CHECK(actions == std::set<Action>{Action::toggle_run, Action::one_step, Action::restart, Action::new_seed,
+                                      Action::previous_scene, Action::next_scene, Action::full_screen,
+                                      Action::camera_home});
+}
+
+TEST_CASE("an open list closes when asked to", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    gui.frame(state);
+    gui.click(state, 1100.0f, 24.0f);  // the list of scenes
+    gui.frame(state);
+    REQUIRE(gui.popup_open());
+    state.close_popups = true;
+    gui.frame(state);
+    CHECK_FALSE(gui.popup_open());
+}
+
+TEST_CASE("messages and failures are dismissed by their buttons", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    state.message = "Something was refused.";
+    state.status.bits = STATUS_OUT_OF_BOUNDS;
+    std::set<std::size_t> kinds;
+    for (float y = 10.0f; y < 400.0f; y += 8.0f) {
+        for (const ui::Command& command : gui.click(state, 40.0f, y)) {
+            kinds.insert(command.index());
+        }
+    }
+    CHECK(kinds ==
+          std::set<std::size_t>{ui::Command(ui::ClearStatus{}).index(), ui::Command(ui::DismissMessage{}).index()});
+}
