@@ -38,17 +38,19 @@ double wall_force(const SubstepParams<double>& p, Features features, double over
     return features.has(Feature::limit_force) ? std::max(force, 0.0) : force;
 }
 
-// N, on one ball.
+// N, on one ball. The overlaps are in float and in collide's order: whether a ball just touches a wall must not be a
+// matter of rounding.
 dvec3 walls_force(const SubstepParams<double>& p, Features features, const vec4& position, const vec4& velocity,
                   double zeta) {
     dvec3 force(0.0);
     for (int axis = 0; features.has(Feature::walls) && axis < 3; ++axis) {
-        const auto x = static_cast<double>(position[axis]);
+        const auto half = static_cast<float>(p.half_extent[axis]);
+        const float low = position.w - (position[axis] + half);
+        const float high = position.w - (half - position[axis]);
         const auto v = static_cast<double>(velocity[axis]);
-        const auto radius = static_cast<double>(position.w);
         const auto mass = static_cast<double>(velocity.w);
-        force[axis] = wall_force(p, features, radius - (x + p.half_extent[axis]), v, mass, zeta) -
-                      wall_force(p, features, radius - (p.half_extent[axis] - x), -v, mass, zeta);
+        force[axis] = wall_force(p, features, static_cast<double>(low), v, mass, zeta) -
+                      wall_force(p, features, static_cast<double>(high), -v, mass, zeta);
     }
     return force;
 }
