@@ -40,7 +40,7 @@ double damping_ratio_from_restitution(double e, bool limit_force) {
         return 0.0;
     }
     double low = 0.0;
-    double high = 4.0;  // e = 0.016 when limited, 0 when not
+    double high = 4.0;  // e = 0.014 when limited, 0 when not
     while (high - low > 1e-15 * high) {
         const double middle = 0.5 * (low + high);
         if (middle <= low || middle >= high) {

@@ -5,7 +5,7 @@
 
 namespace ballpit {
 
-/// Smallest restitution that the explicit dashpot can be asked for (zeta 2.2 when the force is limited).
+/// Smallest restitution that the explicit dashpot can be asked for (zeta 1.95 when the force is limited).
 inline constexpr double minimum_restitution = 0.05;
 
 /// Restitution e of one collision against the damping ratio zeta >= 0, gravity neglected.
