@@ -6,19 +6,35 @@
 
 namespace ballpit::app {
 
+namespace {
+
+// A device, a pipe or a link is written to: renaming a file over it would put the file in its place.
+std::filesystem::path place_to_write(const std::filesystem::path& path) {
+    std::error_code ignored;
+    const bool special = std::filesystem::is_other(path, ignored) || std::filesystem::is_symlink(path, ignored);
+    return special ? path : std::filesystem::path(path.string() + ".part");
+}
+
+}  // namespace
+
 AtomicFile::AtomicFile(std::filesystem::path path)
-    : path_(std::move(path)), temporary_(path_.string() + ".part"), stream_(temporary_, std::ios::binary) {
+    : path_(std::move(path)), temporary_(place_to_write(path_)), stream_(temporary_, std::ios::binary) {
     if (!stream_ || std::filesystem::is_directory(path_)) {
-        stream_.close();
-        std::error_code ignored;
-        std::filesystem::remove(temporary_, ignored);
-        throw InputError(path_.string() + ": cannot be written; expected a file in a folder that exists and is writable");
+        discard();
+        throw InputError(path_.string() +
+                         ": cannot be written; expected a file in a folder that exists and is writable");
     }
 }
 
 AtomicFile::~AtomicFile() {
     if (stream_.is_open()) {
-        stream_.close();
+        discard();
+    }
+}
+
+void AtomicFile::discard() {
+    stream_.close();
+    if (temporary_ != path_) {
         std::error_code ignored;
         std::filesystem::remove(temporary_, ignored);
     }
@@ -27,12 +43,11 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::commit() {
     stream_.close();
     std::error_code error;
-    if (stream_) {
+    if (stream_ && temporary_ != path_) {
         std::filesystem::rename(temporary_, path_, error);
     }
     if (!stream_ || error) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary_, ignored);
+        discard();
         throw InputError(path_.string() + ": could not be written to the end; is the disk full?");
     }
 }

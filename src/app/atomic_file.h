@@ -7,7 +7,8 @@
 
 namespace ballpit::app {
 
-/// Writes beside the wanted place and renames on commit(). Without a commit, nothing is left behind.
+/// Writes beside the wanted place and renames on commit(). Without a commit, nothing is left behind. A device, a
+/// pipe or a link is written to directly.
 class AtomicFile {
 public:
     /// Throws InputError if nothing can be written there.
@@ -21,6 +22,8 @@ public:
     void commit();
 
 private:
+    void discard();
+
     std::filesystem::path path_;
     std::filesystem::path temporary_;
     std::ofstream stream_;

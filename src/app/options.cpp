@@ -10,6 +10,12 @@ namespace ballpit::app {
 
 namespace {
 
+// CLI11 2.1 reads -1 as the largest unsigned number.
+std::string whole_number(const std::string& text) {
+    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return digits ? "" : "expected a whole number, found '" + text + "'";
+}
+
 void add_scene_options(CLI::App& app, Options& options) {
     app.add_option("--scene", options.scene, "Scene of the gallery by name, or a scene file")->capture_default_str();
     app.add_option("--backend", options.backend, "What computes: auto, gpu or cpu")
@@ -18,7 +24,7 @@ void add_scene_options(CLI::App& app, Options& options) {
     app.add_option("--set", options.set, "KEY=VALUE: a setting of `ballpit settings`; may be repeated")
         ->take_all()
         ->expected(1);
-    app.add_option("--seed", options.seed, "Seed of the random fill, instead of the scene's");
+    app.add_option("--seed", options.seed, "Seed of the random fill, instead of the scene's")->check(whole_number);
 }
 
 void add_model_option(CLI::App& app, Options& options) {
@@ -42,7 +48,7 @@ CLI::App* add_headless(CLI::App& app, Options& options) {
     CLI::App* headless = app.add_subcommand("headless", "Simulate without a window, and report");
     add_scene_options(*headless, options);
     add_model_option(*headless, options);
-    auto* steps = headless->add_option("--steps", options.steps, "Steps to run (default 600)");
+    auto* steps = headless->add_option("--steps", options.steps, "Steps to run (default 600)")->check(whole_number);
     headless->add_option("--seconds", options.seconds, "Simulated seconds to run, instead of --steps")
         ->check(CLI::NonNegativeNumber)
         ->excludes(steps);
@@ -67,7 +73,7 @@ CLI::App* add_headless(CLI::App& app, Options& options) {
 CLI::App* add_check(CLI::App& app, Options& options) {
     CLI::App* check = app.add_subcommand("check", "Every dispatch on the GPU against the mirror; exit code 1 on a difference");
     add_scene_options(*check, options);
-    check->add_option("--steps", options.steps, "Steps to check (default 10)");
+    check->add_option("--steps", options.steps, "Steps to check (default 10)")->check(whole_number);
     check->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
     return check;
 }
@@ -78,7 +84,7 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
     bench->add_option("--balls", options.balls, "Ball counts, such as 1000,5000,20000")->delimiter(',');
     bench->add_option("--substeps", options.substeps, "Substeps a step, such as 1,8")->delimiter(',');
     bench->add_option("--sort", options.sort, "Sorts to compare, such as bitonic,bitonic_fused")->delimiter(',');
-    bench->add_option("--steps", options.steps, "Timed steps a row, after as many for warm-up (default 20)");
+    bench->add_option("--steps", options.steps, "Timed steps a row, after as many for warm-up (default 20)")->check(whole_number);
     bench->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
     bench->add_option("--csv", options.csv, "Report as CSV to a file, or - for standard output");
     return bench;

@@ -1,0 +1,326 @@
+"""The built program from outside: exit codes, one sentence on stderr for bad input, no half-written files.
+
+Usage: command_line_test.py PROGRAM SOURCE_FOLDER. Needs no display: SDL's offscreen driver and Mesa do. Tests that need
+OpenGL are left out, and say so, where the program cannot have it (unless BALLPIT_REQUIRE_GPU=1).
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import resource
+except ImportError:   # Windows
+    resource = None
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+TIME_LIMIT_S = 120
+GOOD_SCENE = {
+    "name": "Test", "box": {"half_extent": [2, 2, 2]},
+    "laws": {"gravity": [0, 0, -9.8], "contact": {"stiffness": 1000}, "walls": True},
+    "balls": [{"position": [0, 0, 0], "radius": 0.1, "mass": 1}],
+}
+
+
+def run(*arguments, folder=None, size_limit=None, **environment):
+    def limit_files():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size_limit, size_limit))
+
+    env = {**os.environ, "SDL_VIDEODRIVER": "offscreen", "SDL_AUDIODRIVER": "dummy"}
+    for name, value in environment.items():
+        env.pop(name, None)
+        if value is not None:
+            env[name] = value
+    return subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True, env=env, cwd=folder,
+                          timeout=TIME_LIMIT_S, check=False, preexec_fn=limit_files if size_limit else None,
+                          restore_signals=False)   # SIGXFSZ stays ignored: a write beyond the limit just fails
+
+
+def has_opengl():
+    return run("check", "--scene", "two_balls", "--steps", "1").returncode == 0
+
+
+class CommandLine(unittest.TestCase):
+    opengl = True
+
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory(prefix="ballpit-test-")
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+
+    def need_opengl(self):
+        if not self.opengl:
+            self.skipTest("no OpenGL 4.3 here")
+
+    def headless(self, *arguments, **environment):
+        return run("headless", "--backend", "cpu", *arguments, folder=self.folder, **environment)
+
+    def refused(self, result, code, *parts):
+        """Exit code, and one sentence on stderr with all parts; nothing of a crash, nothing on stdout."""
+        text = result.stderr
+        self.assertEqual(result.returncode, code, text + result.stdout)
+        self.assertEqual(len(text.strip().splitlines()), 1, "not one sentence: " + text)
+        self.assertTrue(text.startswith("ballpit: "), text)
+        self.assertNotIn("exception", text.lower())
+        for part in parts:
+            self.assertIn(part, text)
+
+    def scene_file(self, name="scene.json", **changes):
+        path = self.folder / name
+        path.write_text(json.dumps({**GOOD_SCENE, **changes}))
+        return path
+
+    def home(self):
+        """A copy of what the program reads, to be spoiled."""
+        home = self.folder / "home"
+        shutil.copytree(SOURCE / "glsl", home / "glsl")
+        shutil.copytree(SOURCE / "assets", home / "assets")
+        return home
+
+    def expect_files(self, *names):
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), sorted(names))
+
+    # Scenes
+
+    def test_unknown_scene(self):
+        self.refused(self.headless("--scene", "snow"), 2, "'snow'", "rain", "two_balls")
+
+    def test_missing_scene_file(self):
+        self.refused(self.headless("--scene", "missing.json"), 2, "missing.json")
+
+    def test_folder_for_a_scene(self):
+        (self.folder / "folder.json").mkdir()
+        self.refused(self.headless("--scene", "folder.json"), 2, "folder.json", "found a folder")
+
+    def test_broken_json(self):
+        (self.folder / "broken.json").write_text('{\n  "name": "N",,\n}')
+        self.refused(self.headless("--scene", "broken.json"), 2, "broken.json, line 2, column 15: expected JSON")
+
+    def test_no_text_at_all(self):
+        (self.folder / "binary.json").write_bytes(bytes(range(256)) * 100)
+        self.refused(self.headless("--scene", "binary.json"), 2, "binary.json, line", "expected UTF-8 text")
+
+    def test_unknown_key(self):
+        path = self.scene_file(laws={"gravty": [0, 0, -9.8]})
+        self.refused(self.headless("--scene", path), 2, "scene.json, /laws: expected no other keys", "'gravty'")
+
+    def test_negative_mass(self):
+        path = self.scene_file(balls=[{"position": [0, 0, 0], "radius": 0.1, "mass": -1}])
+        self.refused(self.headless("--scene", path), 2, "scene.json, /balls/0/mass: expected a number from", "found -1")
+
+    # Settings
+
+    def test_impossible_settings(self):
+        for setting, part in [("drag=-1", "from 0 to 100"), ("drag=fast", "'fast'"), ("dragg=1", "'dragg'"),
+                              ("drag", "KEY=VALUE"), ("integrator=euler", "leapfrog"), ("substeps=0", "from 1 to 1024"),
+                              ("gravity=1,2", "x,y,z"), ("dt=nan", "'nan'"), ("restitution=7", "from 0.05 to 1")]:
+            with self.subTest(setting):
+                self.refused(self.headless("--scene", "rain", "--set", setting), 2, part)
+
+    def test_a_setting_of_a_law_that_the_scene_has_not(self):
+        self.refused(self.headless("--scene", "elastic_gas", "--set", "gravity=0,0,-1"), 2, "'gravity'", "Elastic gas")
+
+    def test_absurd_counts(self):
+        for count in ("4194305", "99999999999999999999", "-1", "1e9", "many"):
+            with self.subTest(count):
+                self.refused(self.headless("--scene", "rain", "--set", f"balls={count}"), 2, f"'{count}'", "4194304")
+        self.refused(self.headless("--scene", "two_balls", "--set", "balls=3"), 2, "lists 2 and has no fill")
+
+    # The command line itself
+
+    def test_what_is_no_option(self):
+        self.refused(run("--bogus"), 2, "--bogus")
+        self.refused(run("headless", "--steps", "-1"), 2, "--steps")
+        self.refused(run("headless", "--steps", "some"), 2, "--steps")
+        self.refused(run("headless", "--backend", "abacus"), 2, "abacus")
+        self.refused(run("headless", "--seed", "-1"), 2, "--seed")
+        self.refused(self.headless("--screenshot", "a.png", "--size", "0x0"), 2, "--size")
+        self.refused(self.headless("--screenshot", "a.png", "--size", "wide"), 2, "--size")
+
+    def test_help(self):
+        for arguments in (["--help"], ["headless", "--help"], ["--version"]):
+            result = run(*arguments)
+            self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
+            self.assertTrue(result.stdout.strip())
+
+    def test_lists(self):
+        scenes = run("scenes")
+        self.assertEqual(scenes.returncode, 0)
+        for path in (SOURCE / "assets" / "scenes").glob("*.json"):
+            self.assertIn(path.stem, scenes.stdout)
+        settings = run("settings")
+        self.assertEqual(settings.returncode, 0)
+        for key in ("balls", "gravity", "drag", "stiffness", "restitution", "substeps", "dt", "integrator", "sort"):
+            self.assertIn(key, settings.stdout)
+
+    # Files that are read besides the scene
+
+    def test_missing_shader_folder(self):
+        home = self.home()
+        shutil.rmtree(home / "glsl")
+        self.refused(self.headless("--scene", "rain", BALLPIT_HOME=str(home)), 2, "glsl", str(home))
+
+    def test_missing_shader_file(self):
+        self.need_opengl()
+        home = self.home()
+        (home / "glsl" / "collide.comp").unlink()
+        result = run("headless", "--backend", "gpu", "--scene", "two_balls", "--steps", "1", BALLPIT_HOME=str(home))
+        self.refused(result, 2, "collide.comp")
+
+    def test_missing_and_broken_model(self):
+        self.need_opengl()
+        broken = self.folder / "broken.obj"
+        broken.write_text("v 0 0\nf 1 2 99\n")
+        for model in ("missing.obj", broken.name):
+            with self.subTest(model):
+                result = self.headless("--scene", "two_balls", "--steps", "1", "--screenshot", "a.png", "--model", model)
+                self.refused(result, 2, model)
+        self.expect_files("broken.obj")
+
+    # Files that are written
+
+    def test_unwritable_outputs(self):
+        (self.folder / "taken").mkdir()
+        for option in ("--state-out", "--trace", "--json"):
+            for target in ("no/such/folder/out.txt", "taken"):
+                with self.subTest(option=option, target=target):
+                    result = self.headless("--scene", "two_balls", "--steps", "1", option, target)
+                    self.refused(result, 2, target)
+        self.expect_files("taken")
+
+    def test_bad_input_leaves_no_files(self):
+        outputs = ["--state-out", "s.csv", "--trace", "t.csv", "--json", "r.json"]
+        self.refused(self.headless("--scene", "snow", *outputs), 2)
+        self.refused(self.headless("--scene", "rain", "--set", "drag=-1", *outputs), 2)
+        self.expect_files()
+
+    def test_an_old_output_survives_a_refusal(self):
+        (self.folder / "s.csv").write_text("precious")
+        self.refused(self.headless("--scene", "snow", "--state-out", "s.csv"), 2)
+        self.assertEqual((self.folder / "s.csv").read_text(), "precious")
+
+    @unittest.skipUnless(resource, "no limits to set here")
+    def test_a_full_disk(self):
+        """A limit on the size of files stands in for it."""
+        for option in ("--state-out", "--trace", "--json"):
+            with self.subTest(option):
+                result = self.headless("--scene", "two_balls", "--steps", "1", option, "out.txt", size_limit=16)
+                self.refused(result, 2, "out.txt", "to the end")
+        self.expect_files()
+
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "no pipes in the file system here")
+    def test_a_pipe_stays_a_pipe(self):
+        """Were it written beside and renamed, a file would take the pipe's (or a device's) place."""
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+        self.addCleanup(os.close, reader)
+        result = self.headless("--scene", "two_balls", "--steps", "1", "--state-out", "pipe")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(pipe.is_fifo())
+        self.assertTrue(os.read(reader, 1000).startswith(b"id,x,y,z"))
+
+    def test_a_link_stays_a_link(self):
+        (self.folder / "target").write_text("old")
+        (self.folder / "link").symlink_to("target")
+        self.assertEqual(self.headless("--scene", "two_balls", "--steps", "1", "--state-out", "link").returncode, 0)
+        self.assertTrue((self.folder / "link").is_symlink())
+        self.assertTrue((self.folder / "target").read_text().startswith("id,"))
+
+    def test_outputs(self):
+        result = self.headless("--scene", "two_balls", "--steps", "3", "--state-out", "s.csv", "--trace", "t.csv",
+                               "--json", "r.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.expect_files("s.csv", "t.csv", "r.json")
+        state = (self.folder / "s.csv").read_text().splitlines()
+        self.assertEqual(state[0], "id,x,y,z,vx,vy,vz,radius,mass")
+        self.assertEqual(len(state), 3)
+        trace = (self.folder / "t.csv").read_text().splitlines()
+        self.assertTrue(trace[0].startswith("step,time,kinetic,potential,elastic,momentum_x,momentum_y,momentum_z,"
+                                            "max_overlap,contacts,x0,y0,z0,vx0,vy0,vz0,x1"))
+        self.assertEqual([row.split(",")[0] for row in trace[1:]], ["0", "1", "2", "3"])
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual((report["backend"], report["balls"], report["steps"]), ("cpu", 2, 3))
+
+    def test_json_on_standard_output_is_json_alone(self):
+        result = self.headless("--scene", "two_balls", "--steps", "1", "--json", "-")
+        self.assertEqual(json.loads(result.stdout)["steps"], 1)
+
+    # The same run every time
+
+    def test_the_same_run_twice_and_another_seed(self):
+        for name, seed in (("a.csv", 1), ("b.csv", 1), ("c.csv", 2)):
+            result = self.headless("--scene", "rain", "--set", "balls=200", "--steps", "5", "--seed", seed,
+                                   "--state-out", name)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        a, b, c = ((self.folder / name).read_bytes() for name in ("a.csv", "b.csv", "c.csv"))
+        self.assertEqual(a, b)
+        self.assertNotEqual(a, c)
+
+    def test_no_balls(self):
+        result = self.headless("--scene", "rain", "--set", "balls=0", "--steps", "2", "--state-out", "s.csv")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((self.folder / "s.csv").read_text().splitlines(), ["id,x,y,z,vx,vy,vz,radius,mass"])
+
+    # OpenGL that is missing, old or spoiled
+
+    def test_no_display(self):
+        result = run(SDL_VIDEODRIVER="x11", DISPLAY=None, WAYLAND_DISPLAY=None)
+        self.refused(result, 3, "no display")
+
+    def test_old_opengl(self):
+        self.need_opengl()
+        old = {"MESA_GL_VERSION_OVERRIDE": "4.1", "MESA_GLSL_VERSION_OVERRIDE": "410"}
+        scene = ["--scene", "two_balls", "--steps", "1"]
+        self.refused(run("headless", "--backend", "gpu", *scene, **old), 3, "4.3")
+        automatic = run("headless", *scene, "--json", "-", **old)
+        self.assertEqual(automatic.returncode, 0, automatic.stderr)
+        self.assertEqual(json.loads(automatic.stdout)["backend"], "cpu")
+        self.assertIn("CPU mirror", automatic.stderr + automatic.stdout)
+
+    def test_no_opengl_at_all(self):
+        nothing = {"SDL_VIDEODRIVER": "dummy"}   # SDL's dummy driver has windows, but no OpenGL
+        self.refused(run("headless", "--backend", "gpu", "--scene", "two_balls", "--steps", "1", **nothing), 3)
+        self.refused(self.headless("--scene", "two_balls", "--steps", "1", "--screenshot", "a.png", **nothing), 3)
+        self.expect_files()
+        self.assertEqual(self.headless("--scene", "two_balls", "--steps", "1", **nothing).returncode, 0)
+
+    def test_check_passes_and_fails(self):
+        self.need_opengl()
+        good = run("check", "--scene", "pile", "--set", "balls=200", "--steps", "2")
+        self.assertEqual(good.returncode, 0, good.stdout + good.stderr)
+        home = self.home()
+        collide = home / "glsl" / "collide.comp"
+        text = collide.read_text()
+        spoiled = text.replace("params.drift * v;", "1.01 * params.drift * v;")
+        self.assertNotEqual(text, spoiled)
+        collide.write_text(spoiled)
+        bad = run("check", "--scene", "pile", "--set", "balls=200", "--steps", "2", BALLPIT_HOME=str(home))
+        self.assertEqual(bad.returncode, 1, bad.stdout + bad.stderr)
+        self.assertIn("collide", bad.stdout)
+
+    def test_screenshot(self):
+        self.need_opengl()
+        result = run("headless", "--scene", "two_balls", "--steps", "1", "--screenshot", "a.png", "--size", "320x200",
+                     folder=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        picture = (self.folder / "a.png").read_bytes()
+        self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual((int.from_bytes(picture[16:20], "big"), int.from_bytes(picture[20:24], "big")), (320, 200))
+
+    def test_bench(self):
+        result = run("bench", "--backend", "cpu", "--scene", "two_balls", "--json", "-")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        report = json.loads(result.stdout)
+        self.assertTrue(report["rows"])
+        self.assertEqual(set(report["rows"][0]["stages"]), {"assign_cells", "bitonic_sort", "build_grid", "collide"})
+
+
+if __name__ == "__main__":
+    CommandLine.opengl = has_opengl() or os.environ.get("BALLPIT_REQUIRE_GPU") == "1"
+    unittest.main(argv=sys.argv[:1], verbosity=2)
