@@ -48,7 +48,6 @@ constexpr int height = 720;
 TEST_CASE("keys do what the help page says", "[ui]") {
     CHECK(action_of(key(SDLK_SPACE), false) == Action::toggle_run);
     CHECK(action_of(key(SDLK_p), false) == Action::toggle_run);
-    CHECK(action_of(key(SDLK_RIGHT), false) == Action::one_step);
     CHECK(action_of(key(SDLK_o), false) == Action::one_step);
     CHECK(action_of(key(SDLK_RETURN), false) == Action::one_step);
     CHECK(action_of(key(SDLK_KP_ENTER), false) == Action::one_step);
@@ -65,6 +64,24 @@ TEST_CASE("keys do what the help page says", "[ui]") {
     CHECK(action_of(key(SDLK_ESCAPE), false) == Action::close);
     CHECK(action_of(key(SDLK_q, KMOD_LCTRL), false) == Action::quit);
     CHECK_FALSE(action_of(key(SDLK_x), false));
+}
+
+TEST_CASE("arrows and a clicker's keys step forth and back", "[ui]") {
+    for (const auto& [forth, back] : {std::pair(SDLK_RIGHT, SDLK_LEFT), std::pair(SDLK_PAGEDOWN, SDLK_PAGEUP)}) {
+        CHECK(action_of(key(forth), false) == Action::forward);
+        CHECK(action_of(key(forth, KMOD_RSHIFT), false) == Action::forward_coarser);
+        CHECK(action_of(key(back), false) == Action::back);
+        CHECK(action_of(key(back, KMOD_LSHIFT), false) == Action::back_coarser);
+    }
+    CHECK(action_of(key(SDLK_HOME, KMOD_LCTRL), false) == Action::step_start);
+    CHECK(action_of(key(SDLK_END, KMOD_RCTRL), false) == Action::step_end);
+    CHECK(action_of(key(SDLK_1), false) == Action::unit_pass);
+    CHECK(action_of(key(SDLK_2), false) == Action::unit_stage);
+    CHECK(action_of(key(SDLK_3), false) == Action::unit_substep);
+    CHECK(action_of(key(SDLK_4), false) == Action::unit_step);
+    CHECK(action_of(key(SDLK_AMPERSAND, KMOD_NONE, SDL_SCANCODE_1), false) == Action::unit_pass);  // a French keyboard
+    CHECK(action_of(key(SDLK_F2), false) == Action::toggle_stepper);
+    CHECK(action_of(key(SDLK_m), false) == Action::toggle_microscope);
 }
 
 TEST_CASE("camera keys are no actions", "[ui]") {
@@ -87,7 +104,10 @@ TEST_CASE("Ctrl, Alt and the system key belong to others, but for Ctrl+Q", "[ui]
 }
 
 TEST_CASE("a held key steps on and on, and toggles nothing twice", "[ui]") {
-    CHECK(action_of(key(SDLK_RIGHT), true) == Action::one_step);
+    CHECK(action_of(key(SDLK_RETURN), true) == Action::one_step);
+    CHECK(action_of(key(SDLK_RIGHT), true) == Action::forward);
+    CHECK(action_of(key(SDLK_LEFT), true) == Action::back);
+    CHECK_FALSE(action_of(key(SDLK_HOME, KMOD_LCTRL), true));
     CHECK_FALSE(action_of(key(SDLK_SPACE), true));
     CHECK_FALSE(action_of(key(SDLK_RIGHTBRACKET), true));
     CHECK_FALSE(action_of(key(SDLK_q, KMOD_LCTRL), true));
@@ -107,11 +127,11 @@ TEST_CASE("every action has one row on the help page, and a key", "[ui]") {
 
 TEST_CASE("letters typed into a field are not keys", "[ui]") {
     app::Input input;
-    input.handle(press(SDLK_r), true, false, height);
-    input.handle(press(SDLK_ESCAPE), true, false, height);
-    input.handle(press(SDLK_RETURN), true, false, height);
+    input.handle(press(SDLK_r), true, height);
+    input.handle(press(SDLK_ESCAPE), true, height);
+    input.handle(press(SDLK_RETURN), true, height);
     CHECK(input.take_commands().empty());
-    input.handle(press(SDLK_r), false, false, height);
+    input.handle(press(SDLK_r), false, height);
     CHECK(input.take_commands().size() == 1);
     CHECK(input.take_commands().empty());
 }
@@ -119,13 +139,16 @@ TEST_CASE("letters typed into a field are not keys", "[ui]") {
 TEST_CASE("a drag that begins on a panel does not turn the camera, wherever it goes", "[ui]") {
     const vec3 box(4.0f);
     const view::Camera start = view::home(box);
-    const auto after_drag = [&](bool on_panel, Uint8 which) {
+    const auto after_drag = [&](bool began_on_panel, Uint8 which) {
         app::Input input;
-        input.handle(button(SDL_MOUSEBUTTONDOWN, which), false, on_panel, height);
-        input.handle(motion(100, 50), false, false, height);
-        input.handle(button(SDL_MOUSEBUTTONUP, which), false, false, height);
-        input.handle(motion(500, 500), false, false, height);  // released: no more
-        return input.moved(start, box, 0.0f, false);
+        input.handle(button(SDL_MOUSEBUTTONDOWN, which), false, height);
+        input.handle(motion(60, 20), false, height);
+        view::Camera camera = input.moved(start, box, 0.0f, false, began_on_panel);
+        input.handle(motion(40, 30), false, height);  // now over the other of the two
+        camera = input.moved(camera, box, 0.0f, false, !began_on_panel);
+        input.handle(button(SDL_MOUSEBUTTONUP, which), false, height);
+        input.handle(motion(500, 500), false, height);  // released: no more
+        return input.moved(camera, box, 0.0f, false, false);
     };
     const view::Camera still = after_drag(true, SDL_BUTTON_LEFT);
     CHECK(still.yaw == start.yaw);
@@ -150,8 +173,9 @@ TEST_CASE("the wheel over a panel scrolls the panel", "[ui]") {
     wheel.type = SDL_MOUSEWHEEL;
     wheel.wheel.preciseY = 1.0f;
     app::Input input;
-    input.handle(wheel, false, true, height);
-    CHECK(input.moved(start, box, 0.0f, false).position == start.position);
-    input.handle(wheel, false, false, height);
-    CHECK(input.moved(start, box, 0.0f, false).position != start.position);
+    input.handle(wheel, false, height);
+    CHECK(input.moved(start, box, 0.0f, false, true).position == start.position);
+    CHECK(input.moved(start, box, 0.0f, false, false).position == start.position);
+    input.handle(wheel, false, height);
+    CHECK(input.moved(start, box, 0.0f, false, false).position != start.position);
 }

@@ -1,6 +1,7 @@
 #include "app/input.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace ballpit::app {
@@ -9,12 +10,13 @@ namespace {
 
 using ui::Action;
 
+constexpr int click_slack = 4;  // points that a hand may slip between press and release
+
 std::optional<Action> plain_action(const SDL_Keysym& key) {
     switch (key.sym) {
         case SDLK_SPACE:
         case SDLK_p:
             return Action::toggle_run;
-        case SDLK_RIGHT:
         case SDLK_o:
         case SDLK_RETURN:
         case SDLK_KP_ENTER:
@@ -27,6 +29,24 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
             return Action::next_scene;
         case SDLK_g:
             return Action::toggle_occupancy;
+        case SDLK_RIGHT:
+        case SDLK_PAGEDOWN:
+            return (key.mod & KMOD_SHIFT) != 0 ? Action::forward_coarser : Action::forward;
+        case SDLK_LEFT:
+        case SDLK_PAGEUP:
+            return (key.mod & KMOD_SHIFT) != 0 ? Action::back_coarser : Action::back;
+        case SDLK_1:
+            return Action::unit_pass;
+        case SDLK_2:
+            return Action::unit_stage;
+        case SDLK_3:
+            return Action::unit_substep;
+        case SDLK_4:
+            return Action::unit_step;
+        case SDLK_F2:
+            return Action::toggle_stepper;
+        case SDLK_m:
+            return Action::toggle_microscope;
         case SDLK_F3:
             return Action::toggle_timings;
         case SDLK_TAB:
@@ -47,9 +67,35 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
             return Action::previous_scene;
         case SDL_SCANCODE_RIGHTBRACKET:
             return Action::next_scene;
+        case SDL_SCANCODE_1:  // some layouts have digits only with Shift
+            return Action::unit_pass;
+        case SDL_SCANCODE_2:
+            return Action::unit_stage;
+        case SDL_SCANCODE_3:
+            return Action::unit_substep;
+        case SDL_SCANCODE_4:
+            return Action::unit_step;
         default:
             return std::nullopt;
     }
+}
+
+std::optional<Action> control_action(const SDL_Keysym& key) {
+    switch (key.sym) {
+        case SDLK_q:
+            return Action::quit;
+        case SDLK_HOME:
+            return Action::step_start;
+        case SDLK_END:
+            return Action::step_end;
+        default:
+            return std::nullopt;
+    }
+}
+
+bool repeats(std::optional<Action> action) {
+    return action == Action::one_step || action == Action::forward || action == Action::back ||
+           action == Action::forward_coarser || action == Action::back_coarser;
 }
 
 bool held(SDL_Keycode key) {
@@ -73,18 +119,14 @@ vec3 held_direction() {
 }  // namespace
 
 std::optional<Action> action_of(const SDL_Keysym& key, bool repeated) {
-    const bool control = (key.mod & KMOD_CTRL) != 0;
-    if (control && key.sym == SDLK_q && !repeated) {
-        return Action::quit;
-    }
-    if (control || (key.mod & (KMOD_ALT | KMOD_GUI)) != 0) {
+    if ((key.mod & (KMOD_ALT | KMOD_GUI)) != 0) {
         return std::nullopt;  // the window manager's, not ours
     }
-    const std::optional<Action> action = plain_action(key);
-    return repeated && action != Action::one_step ? std::nullopt : action;
+    const std::optional<Action> action = (key.mod & KMOD_CTRL) != 0 ? control_action(key) : plain_action(key);
+    return repeated && !repeats(action) ? std::nullopt : action;
 }
 
-void Input::handle(const SDL_Event& event, bool typing, bool over_panel, int height) {
+void Input::handle(const SDL_Event& event, bool typing, int height) {
     switch (event.type) {
         case SDL_KEYDOWN:
             if (const auto action = action_of(event.key.keysym, event.key.repeat != 0);
@@ -94,13 +136,13 @@ void Input::handle(const SDL_Event& event, bool typing, bool over_panel, int hei
             break;
         case SDL_MOUSEBUTTONDOWN:
         case SDL_MOUSEBUTTONUP:
-            handle_button(event.button, over_panel);
+            handle_button(event.button);
             break;
         case SDL_MOUSEMOTION:
             handle_motion(event.motion, height);
             break;
         case SDL_MOUSEWHEEL:
-            notches_ += over_panel ? 0.0f : event.wheel.preciseY;
+            notches_ += event.wheel.preciseY;
             break;
         case SDL_WINDOWEVENT:
             dragging_ = event.window.event == SDL_WINDOWEVENT_FOCUS_LOST ? Uint8{0} : dragging_;
@@ -110,17 +152,34 @@ void Input::handle(const SDL_Event& event, bool typing, bool over_panel, int hei
     }
 }
 
-// A drag belongs to where it began: a slider pulled beyond its panel never turns the camera, nor the other way round.
-void Input::handle_button(const SDL_MouseButtonEvent& button, bool over_panel) {
+void Input::handle_button(const SDL_MouseButtonEvent& button) {
     const bool ours = button.button == SDL_BUTTON_LEFT || button.button == SDL_BUTTON_RIGHT;
-    if (button.type == SDL_MOUSEBUTTONDOWN && ours && !over_panel && dragging_ == 0) {
+    if (button.type == SDL_MOUSEBUTTONDOWN && ours && dragging_ == 0) {
         dragging_ = button.button;
+        dragged_ = 0;
+        undecided_ = true;
     } else if (button.type == SDL_MOUSEBUTTONUP && button.button == dragging_) {
+        if (dragging_ == SDL_BUTTON_LEFT && dragged_ <= click_slack) {
+            click_ = view::vec2(static_cast<float>(button.x), static_cast<float>(button.y));
+        }
         dragging_ = 0;
     }
 }
 
+// A drag belongs to where it began: a slider pulled beyond its panel never turns the camera, nor the other way round.
+// Where it began is known only now: in a slow frame the pointer comes, presses and moves on before any panel sees it.
+void Input::settle_claims(bool over_panel) {
+    if (over_panel && undecided_) {
+        dragging_ = 0;
+        look_ = pan_ = view::vec2(0.0f);
+        click_.reset();
+    }
+    undecided_ = false;
+    notches_ = over_panel ? 0.0f : notches_;
+}
+
 void Input::handle_motion(const SDL_MouseMotionEvent& motion, int height) {
+    dragged_ += dragging_ != 0 ? std::abs(motion.xrel) + std::abs(motion.yrel) : 0;
     const view::vec2 drag =
         view::vec2(static_cast<float>(motion.xrel), static_cast<float>(motion.yrel)) / static_cast<float>(height);
     if (dragging_ == SDL_BUTTON_LEFT) {
@@ -130,9 +189,12 @@ void Input::handle_motion(const SDL_MouseMotionEvent& motion, int height) {
     }
 }
 
+std::optional<view::vec2> Input::take_click() { return std::exchange(click_, std::nullopt); }
+
 ui::Commands Input::take_commands() { return std::exchange(commands_, {}); }
 
-view::Camera Input::moved(view::Camera camera, const vec3& half_extent, float seconds, bool typing) {
+view::Camera Input::moved(view::Camera camera, const vec3& half_extent, float seconds, bool typing, bool over_panel) {
+    settle_claims(over_panel);
     if (!typing) {
         const float largest = std::max({half_extent.x, half_extent.y, half_extent.z});
         const bool fast = (SDL_GetModState() & KMOD_SHIFT) != 0;

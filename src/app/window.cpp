@@ -2,13 +2,18 @@
 
 #include <SDL.h>
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "app/clock.h"
 #include "app/input.h"
 #include "app/window_gui.h"
+#include "app/window_inspector.h"
 #include "app/window_monitor.h"
+#include "app/window_overlay.h"
 #include "app/window_picture.h"
 #include "app/window_session.h"
 #include "app/window_timings.h"
@@ -17,6 +22,7 @@
 #include "gl/timer.h"
 #include "ui/panels.h"
 #include "view/palette.h"
+#include "view/picking.h"
 
 namespace ballpit::app {
 
@@ -26,6 +32,7 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr int idle_wait_ms = 250;        // a paused window looks for news this often, and at once for any event
 constexpr int settling_frames = 3;       // after an event: panels answer a frame later than they are asked
+constexpr double flight_s = 0.7;         // of the camera to a ball
 constexpr Uint32 shortest_frame_ms = 4;  // where the display does not hold frames back, this does
 
 double seconds_between(SteadyClock::time_point from, SteadyClock::time_point to) {
@@ -39,6 +46,10 @@ gl::ContextOptions context_options(const WindowOptions& options) {
     context.width = options.width;
     context.height = options.height;
     return context;
+}
+
+StepUnit coarser(StepUnit unit) {
+    return unit == StepUnit::step ? unit : static_cast<StepUnit>(static_cast<int>(unit) + 1);
 }
 
 class Window {
@@ -55,6 +66,9 @@ private:
     void draw();
     ui::State make_state();
     void measure_times(double busy_s, double wall_s, double simulated_s);
+    void look_inside(double now_s);
+    void fly_to_selected_ball();
+    void choose_unit(StepUnit unit);
     void move_camera(float seconds);
     void send_camera_home();
     void update_title();
@@ -74,6 +88,13 @@ private:
     void act(const ui::ChangeTextSize& command) { text_size_ = command.factor; }
     void act(const ui::ClearStatus&) { session_.clear_status(); }
     void act(const ui::DismissMessage&) { message_.clear(); }
+    void act(const ui::ChooseUnit& command) { choose_unit(command.unit); }
+    void act(const ui::StepForward& command);
+    void act(const ui::StepBack& command);
+    void act(const ui::GoTo& command);
+    void act(const ui::SetCheckpointBudget& command) { session_.stepper().set_budget(command.bytes); }
+    void act(const ui::SelectBall& command);
+    void act(const ui::SelectCell& command) { inspection_.cell = command.cell; }
 
     gl::Context context_;
     Gui gui_;
@@ -85,6 +106,18 @@ private:
     WindowTimings timings_;
     FrameRate frame_rate_;
     gl::SpanTimer draw_timer_;
+
+    Inspector inspector_;
+    ui::SteppingState stepping_;
+    ui::Inspection inspection_;
+    view::Overlay overlay_;
+    struct Flight {
+        view::Camera from;
+        view::Camera to;
+        double seconds = 0.0;
+    };
+    std::optional<Flight> flight_;
+    bool flight_wanted_ = false;  // as soon as it is known where the ball is
 
     ui::ViewOptions view_;
     view::Camera camera_;
@@ -131,7 +164,7 @@ bool Window::hidden() const {
 // A window that nobody sees, or in which nothing moves, must not heat the room.
 void Window::wait_for_events() {
     const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
-                       !monitor_.waiting() && !input_.active(gui_.typing());
+                       !inspector_.waiting() && !flight_ && !input_.active(gui_.typing()) && !blinks(overlay_);
     if (!hidden() && !still) {
         return;
     }
@@ -147,7 +180,7 @@ void Window::handle_events() {
     while (SDL_PollEvent(&event) != 0) {
         settling_ = settling_frames;
         gui_.process(event);
-        input_.handle(event, gui_.typing(), gui_.over_panel(), std::max(height, 1));
+        input_.handle(event, gui_.typing(), std::max(height, 1));
         if (event.type == SDL_QUIT) {
             quit_ = true;
         }
@@ -166,10 +199,8 @@ void Window::frame() {
         session_.prepare_cells();
     }
     const int steps = advance(busy_s);
-    const Simulation& simulation = session_.simulation();
-    monitor_.update(session_.simulation().backend(), session_.revision(), simulation.schedule().ball_count,
-                    view_.occupancy && simulation.schedule().cell_count > 0, seconds_between(start_, now));
-    measure_times(busy_s, wall_s, steps * simulation.settings().dt);
+    look_inside(seconds_between(start_, now));
+    measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
     if (std::string message = session_.take_message(); !message.empty()) {
         message_ = std::move(message);
     }
@@ -202,6 +233,39 @@ int Window::advance(double wall_s) {
     return steps;
 }
 
+// What panels want to know of the buffers: see Inspector. A panel that is closed wants nothing.
+void Window::look_inside(double now_s) {
+    session_.update();
+    Monitor::ask(inspector_, view_.occupancy);
+    if (view_.microscope) {
+        inspector_.want(Slot::keys);
+        inspector_.want_keys_before();
+    }
+    if (flight_wanted_) {
+        inspector_.want(Slot::positions);
+    }
+    inspector_.update(session_, clock_.running(), now_s);
+    monitor_.update(inspector_, session_.simulation().schedule().ball_count);
+    session_.describe(stepping_);
+    inspector_.describe(inspection_, now_s);
+    if (flight_wanted_) {
+        fly_to_selected_ball();
+    }
+    overlay_ = make_overlay(inspection_);
+}
+
+void Window::fly_to_selected_ball() {
+    const auto positions = typed<vec4>(inspection_.slot(Slot::positions).bytes);
+    if (positions.empty()) {
+        return;
+    }
+    flight_wanted_ = false;
+    if (inspection_.ball && *inspection_.ball < positions.size()) {
+        const vec4& ball = positions[*inspection_.ball];
+        flight_ = Flight{camera_, view::fly_to(camera_, vec3(ball), ball.w), 0.0};
+    }
+}
+
 void Window::draw() {
     int width = 0;
     int height = 0;
@@ -209,7 +273,8 @@ void Window::draw() {
     if (view_.timings) {
         draw_timer_.begin();
     }
-    picture_.draw(session_.simulation(), view_, camera_, light_, monitor_.top_count(), width, height);
+    picture_.draw(session_.simulation(), view_, camera_, light_, overlay_, monitor_.top_count(),
+                  static_cast<float>(seconds_between(start_, frame_start_)), width, height);
     if (view_.timings) {
         draw_timer_.mark(0);
     }
@@ -235,12 +300,23 @@ void Window::measure_times(double busy_s, double wall_s, double simulated_s) {
 void Window::move_camera(float seconds) {
     if (session_.scene_changes() != scene_changes_) {
         scene_changes_ = session_.scene_changes();
+        inspection_.ball.reset();
+        inspection_.cell.reset();
         camera_to_home_ = true;
     }
     if (std::exchange(camera_to_home_, false)) {
         send_camera_home();
     }
-    camera_ = input_.moved(camera_, vec3(session_.simulation().half_extent()), seconds, gui_.typing());
+    if (input_.active(gui_.typing())) {
+        flight_.reset();  // the hand has the word
+    }
+    if (flight_) {
+        flight_->seconds += static_cast<double>(seconds);
+        camera_ = view::blend(flight_->from, flight_->to, static_cast<float>(flight_->seconds / flight_s));
+        flight_ = flight_->seconds < flight_s ? flight_ : std::nullopt;
+    }
+    camera_ =
+        input_.moved(camera_, vec3(session_.simulation().half_extent()), seconds, gui_.typing(), gui_.over_panel());
 }
 
 // The box stands in the middle of what the side panel leaves free.
@@ -273,6 +349,8 @@ ui::State Window::make_state() {
     state.occupancy = monitor_.occupancy();
     state.top_count = monitor_.top_count();
     state.amount_colour = view::sequential;
+    state.stepping = &stepping_;
+    state.inspection = &inspection_;
     state.message = message_;
     state.close_popups = close_popups_;
     return state;
@@ -326,12 +404,67 @@ void Window::act(ui::Action action) {
         case ui::Action::toggle_help:
             view_.help = !view_.help;
             return;
+        case ui::Action::forward:
+            return act(ui::StepForward{stepping_.unit});
+        case ui::Action::back:
+            return act(ui::StepBack{stepping_.unit});
+        case ui::Action::forward_coarser:
+            return act(ui::StepForward{coarser(stepping_.unit)});
+        case ui::Action::back_coarser:
+            return act(ui::StepBack{coarser(stepping_.unit)});
+        case ui::Action::step_start:
+            clock_.pause();
+            return session_.to_step_start();
+        case ui::Action::step_end:
+            clock_.pause();
+            return session_.to_step_end();
+        case ui::Action::unit_pass:
+            return choose_unit(StepUnit::pass);
+        case ui::Action::unit_stage:
+            return choose_unit(StepUnit::stage);
+        case ui::Action::unit_substep:
+            return choose_unit(StepUnit::substep);
+        case ui::Action::unit_step:
+            return choose_unit(StepUnit::step);
+        case ui::Action::toggle_stepper:
+            view_.stepper = !view_.stepper;
+            return;
+        case ui::Action::toggle_microscope:
+            view_.microscope = !view_.microscope;
+            return;
         case ui::Action::close:
             return close_topmost();
         case ui::Action::quit:
             quit_ = true;
             return;
     }
+}
+
+// Whoever moves through time wants it to stand still.
+void Window::act(const ui::StepForward& command) {
+    clock_.pause();
+    session_.forward(command.unit);
+}
+
+void Window::act(const ui::StepBack& command) {
+    clock_.pause();
+    session_.back(command.unit);
+}
+
+void Window::act(const ui::GoTo& command) {
+    clock_.pause();
+    session_.go_to(command.place);
+}
+
+void Window::act(const ui::SelectBall& command) {
+    inspection_.ball = command.ball;
+    flight_wanted_ = command.fly && command.ball;
+}
+
+// Parts of a step are for looking at: the strip shows where one is.
+void Window::choose_unit(StepUnit unit) {
+    stepping_.unit = unit;
+    view_.stepper = view_.stepper || unit != StepUnit::step;
 }
 
 // One thing a press, what lies on top first; never the program.

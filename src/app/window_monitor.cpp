@@ -5,38 +5,24 @@
 
 namespace ballpit::app {
 
-namespace {
+void Monitor::ask(Inspector& inspector, bool with_cells) {
+    inspector.want_late(Slot::status);
+    if (with_cells) {
+        inspector.want_late(Slot::cell_ranges);
+    }
+}
 
-constexpr double cells_every_s = 0.1;
-
-}  // namespace
-
-void Monitor::update(Backend& backend, std::uint64_t revision, std::uint32_t ball_count, bool with_cells,
-                     double now_s) {
-    if (revision != revision_) {
-        revision_ = revision;
-        status_owed_ = 2;
-        cells_owed_ = with_cells ? 2 : 0;
+void Monitor::update(const Inspector& inspector, std::uint32_t ball_count) {
+    const Bytes* status = inspector.bytes(Slot::status);
+    if (status != nullptr && status->size() >= sizeof(Status)) {
+        status_ = typed<Status>(*status).front();
     }
-    if (with_cells != had_cells_) {
-        had_cells_ = with_cells;
-        cells_owed_ = with_cells ? 2 : 0;
-        occupancy_.reset();  // an old copy would show the wrong moment for some frames
-    }
-    if (const auto bytes = backend.poll(Slot::status); bytes && bytes->size() >= sizeof(Status)) {
-        status_ = typed<Status>(*bytes).front();
-        --status_owed_;
-    }
-    if (const auto bytes = backend.poll(Slot::cell_ranges)) {
-        occupancy_ = measure::occupancy_of(typed<CellRange>(*bytes), std::size_t{ball_count} + 1);
-        --cells_owed_;
-    }
-    if (status_owed_ > 0) {
-        backend.request(Slot::status);
-    }
-    if (cells_owed_ > 0 && now_s - cells_asked_s_ >= cells_every_s) {
-        cells_asked_s_ = now_s;
-        backend.request(Slot::cell_ranges);
+    const Bytes* cells = inspector.bytes(Slot::cell_ranges);
+    if (cells == nullptr) {
+        occupancy_.reset();
+    } else if (cells_serial_ != inspector.serial(Slot::cell_ranges)) {
+        cells_serial_ = inspector.serial(Slot::cell_ranges);
+        occupancy_ = measure::occupancy_of(typed<CellRange>(*cells), std::size_t{ball_count} + 1);
     }
 }
 

@@ -16,7 +16,8 @@ WindowPicture::WindowPicture(const std::filesystem::path& shader_folder, const s
     : renderer_(shader_folder, view::load_model(model_file)) {}
 
 void WindowPicture::draw(Simulation& simulation, const ui::ViewOptions& options, const view::Camera& camera,
-                         const view::Light& light, std::uint32_t top_count, int width, int height) {
+                         const view::Light& light, const view::Overlay& overlay, std::uint32_t top_count, float time_s,
+                         int width, int height) {
     Backend& backend = simulation.backend();
     const Schedule& schedule = simulation.schedule();
     view::Picture picture;
@@ -39,6 +40,8 @@ void WindowPicture::draw(Simulation& simulation, const ui::ViewOptions& options,
     picture.show_ground = options.ground;
     picture.show_light = options.light;
     picture.top_count = top_count;
+    picture.overlay = &overlay;
+    picture.time_s = time_s;
     picture.width = width;
     picture.height = height;
     renderer_.draw(picture);

@@ -19,9 +19,10 @@ public:
     /// Throws gl::ShaderError for a broken shader, InputError for a broken model.
     WindowPicture(const std::filesystem::path& shader_folder, const std::filesystem::path& model_file);
 
-    /// `top_count`: balls in a cell that get the last colour. Sizes in pixels.
+    /// `time_s`: what blinks goes by it. `top_count`: balls in a cell that get the last colour. Sizes in pixels.
     void draw(Simulation& simulation, const ui::ViewOptions& options, const view::Camera& camera,
-              const view::Light& light, std::uint32_t top_count, int width, int height);
+              const view::Light& light, const view::Overlay& overlay, std::uint32_t top_count, float time_s, int width,
+              int height);
 
 private:
     view::Renderer renderer_;

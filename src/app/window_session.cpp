@@ -45,8 +45,11 @@ Session::Session(const WindowOptions& options, bool has_compute, const std::stri
       wanted_(options.settings) {
     list_scenes(options);
     simulation_ = std::make_unique<Simulation>(options.scene, options.settings, options.seed, make_backend(choice_));
+    stepper_ = std::make_unique<Stepper>(*simulation_, default_checkpoint_budget);
     if (choice_ == ui::BackendChoice::automatic && !has_compute) {
-        message_ = "No OpenGL 4.3 here (this is " + gl_version + "): the CPU mirror computes.";
+        // The driver's text goes on after the number.
+        message_ =
+            "No OpenGL 4.3 here, only " + gl_version.substr(0, gl_version.find(' ')) + ": the CPU mirror computes.";
     }
 }
 
@@ -82,9 +85,11 @@ bool Session::attempt(const std::function<void()>& change) {
     const auto restore = [&](const std::exception& error) {
         message_ = std::string(error.what()) + " The scene starts anew.";
         simulation_->load(scene, settings, seed);
+        start_timeline();
     };
     cells_ready_ = false;
     ++revision_;
+    ++layout_changes_;
     bool done = false;
     try {
         change();
@@ -100,14 +105,86 @@ bool Session::attempt(const std::function<void()>& change) {
     return done;
 }
 
-void Session::step() {
-    simulation_->step();
-    cells_ready_ = true;
+void Session::start_timeline() {
+    stepper_->reset();
+    behind_.reset();
+    furthest_step_ = simulation_->step_count();
+}
+
+// Settings that were changed on the way change back with the time.
+void Session::move(const std::function<void()>& motion) {
+    const Settings before = simulation_->settings();
+    motion();
+    if (simulation_->settings() != before) {
+        wanted_ = simulation_->settings();
+        ++layout_changes_;
+    }
+    const Position now = stepper_->position();
+    furthest_step_ = std::max(furthest_step_, now.moment.step);
+    cells_ready_ = now != Position{stepper_->timeline().start(), 0};
     ++revision_;
 }
 
+void Session::forward(StepUnit unit) {
+    const Moment before = stepper_->position().moment;
+    move([&] { stepper_->forward(unit); });
+    look_from(stepper_->position().moment != before);
+}
+
+void Session::back(StepUnit unit) {
+    if (behind_ && unit == StepUnit::step) {
+        to_step_start();  // of the step that is shown
+        return;
+    }
+    move([&] { stepper_->back(unit); });
+    look_from(false);
+}
+
+void Session::to_step_start() {
+    const std::uint64_t step = place().substep.step;
+    go_to({std::max(Moment{step, 0}, stepper_->timeline().start()), 0});
+}
+
+void Session::to_step_end() {
+    if (!behind_ || simulation_->substep_in_step() > 0) {
+        forward(StepUnit::step);
+    }
+}
+
+void Session::go_to(const ui::Place& place) {
+    if (place == this->place()) {
+        return;
+    }
+    move([&] { stepper_->go_to({place.substep, place.ran}); });
+    look_from(stepper_->position().moment > place.substep);  // the last dispatch leads into the next substep
+}
+
+void Session::look_from(bool behind) {
+    behind_.reset();
+    const Position now = stepper_->position();
+    if (!behind || now.dispatch > 0 || !stepper_->timeline().changes_at(now.moment).empty()) {
+        return;  // after a change of settings the substep before had other dispatches
+    }
+    if (now.moment.substep > 0) {
+        behind_ = Moment{now.moment.step, now.moment.substep - 1};
+    } else if (const std::uint64_t step = now.moment.step; step > 0) {
+        behind_ = Moment{step - 1, stepper_->timeline().substeps_of(step - 1) - 1};
+    }
+}
+
+ui::Place Session::place() const {
+    const Position now = stepper_->position();
+    if (behind_) {
+        return {*behind_, static_cast<std::uint32_t>(stepper_->schedule().dispatches.size())};
+    }
+    return {now.moment, now.dispatch};
+}
+
 void Session::restart(bool new_seed) {
-    attempt([&] { simulation_->restart(simulation_->seed() + (new_seed ? 1 : 0)); });
+    attempt([&] {
+        simulation_->restart(simulation_->seed() + (new_seed ? 1 : 0));
+        start_timeline();
+    });
 }
 
 void Session::choose_scene(std::size_t index) {
@@ -117,6 +194,7 @@ void Session::choose_scene(std::size_t index) {
         const Settings settings = scene.settings;
         const std::uint64_t seed = scene.fill ? scene.fill->seed : 0;
         simulation_->load(std::move(scene), settings, seed);
+        start_timeline();
     });
     if (done) {
         scene_ = index;
@@ -130,7 +208,11 @@ void Session::next_scene(int offset) {
 }
 
 void Session::choose_backend(ui::BackendChoice choice) {
-    if (attempt([&] { simulation_->use(make_backend(choice)); })) {
+    const auto change = [&] {
+        simulation_->use(make_backend(choice));
+        start_timeline();
+    };
+    if (attempt(change)) {
         choice_ = choice;
     }
 }
@@ -149,13 +231,17 @@ void Session::apply(bool held) {
     const bool slow = wanted_.balls != current.balls && std::max(wanted_.balls, current.balls) > quickly_built;
     if (!(held && slow)) {
         const Settings wanted = wanted_;
-        attempt([&] { simulation_->change(wanted); });
+        attempt([&] {
+            stepper_->change(wanted);
+            behind_.reset();
+            furthest_step_ = simulation_->step_count();  // what lay ahead will be another run
+        });
     }
 }
 
 void Session::prepare_cells() {
     const Schedule& schedule = simulation_->schedule();
-    if (cells_ready_ || schedule.cell_count == 0) {
+    if (cells_ready_ || schedule.cell_count == 0 || stepper_->position().dispatch > 0) {
         return;
     }
     Backend& backend = simulation_->backend();
@@ -186,6 +272,24 @@ void Session::describe(ui::State& state) const {
     state.backend_name = simulation.backend().name();
     state.has_grid = simulation.schedule().cell_count > 0;
     state.cell_width = simulation.schedule().grid.cell_width;
+}
+
+void Session::describe(ui::SteppingState& state) const {
+    const Timeline& timeline = stepper_->timeline();
+    const Position now = stepper_->position();
+    state.place = place();
+    state.substeps = state.place.substep.step < now.moment.step
+                         ? timeline.substeps_of(state.place.substep.step)
+                         : std::max(simulation_->settings().substeps, state.place.substep.substep + 1);
+    state.schedule = &stepper_->schedule();
+    state.first_step = timeline.start().step;
+    state.furthest_step = furthest_step_;
+    state.hash_step = now.moment.step;
+    state.hash = timeline.hash(now.moment.step);
+    state.divergence = stepper_->divergence();
+    state.checkpoint_bytes = timeline.used_bytes();
+    state.checkpoint_budget = timeline.budget();
+    state.checkpoint_count = timeline.checkpoint_count();
 }
 
 }  // namespace ballpit::app

@@ -4,15 +4,20 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/window.h"
 #include "core/simulation.h"
+#include "core/stepper.h"
 #include "ui/state.h"
 
 namespace ballpit::app {
+
+/// Bytes of checkpoints on the device, at first.
+inline constexpr std::size_t default_checkpoint_budget = std::size_t{256} << 20;
 
 class Session {
 public:
@@ -22,7 +27,20 @@ public:
     Simulation& simulation() { return *simulation_; }
     const Simulation& simulation() const { return *simulation_; }
 
-    void step();
+    /// What runs, forth and back: nothing else runs the simulation. The members below keep settings and revision in
+    /// step with it; whoever calls the stepper itself must not move it.
+    Stepper& stepper() { return *stepper_; }
+
+    void step() { forward(StepUnit::step); }
+    void forward(StepUnit unit);
+    void back(StepUnit unit);
+    void to_step_start();
+    void to_step_end();
+    void go_to(const ui::Place& place);
+    ui::Place place() const;
+    /// Once a frame: hashes that have arrived.
+    void update() { stepper_->update(); }
+
     void restart(bool new_seed);
     void choose_scene(std::size_t index);
     void next_scene(int offset);  // around the end
@@ -39,17 +57,23 @@ public:
 
     /// Adds what the panels read of it.
     void describe(ui::State& state) const;
+    void describe(ui::SteppingState& state) const;
 
     /// Another number: another scene, hence another box to look at.
     int scene_changes() const { return scene_changes_; }
     /// Another number: the buffers have changed.
     std::uint64_t revision() const { return revision_; }
+    /// Another number: the buffers may have other sizes, or belong to another backend.
+    std::uint64_t layout_changes() const { return layout_changes_; }
     std::string take_message() { return std::exchange(message_, {}); }
 
 private:
     std::unique_ptr<Backend> make_backend(ui::BackendChoice choice) const;
     void list_scenes(const WindowOptions& options);
     bool attempt(const std::function<void()>& change);
+    void move(const std::function<void()>& motion);
+    void start_timeline();
+    void look_from(bool behind);
 
     bool has_compute_;
     std::filesystem::path shader_folder_;
@@ -58,10 +82,15 @@ private:
     std::size_t scene_ = 0;
     ui::BackendChoice choice_ = ui::BackendChoice::automatic;
     std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<Stepper> stepper_;
+    // Between two substeps: the one that has just run, where the user came forward to here.
+    std::optional<Moment> behind_;
+    std::uint64_t furthest_step_ = 0;
     Settings wanted_;
     bool cells_ready_ = false;
     int scene_changes_ = 0;
     std::uint64_t revision_ = 0;
+    std::uint64_t layout_changes_ = 0;
     std::string message_;
 };
 

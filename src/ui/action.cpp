@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<KeyRow, action_count> keys = {{
     {Action::toggle_run, "Space, P", "Space", "Run or pause"},
-    {Action::one_step, "→, O, Enter", "→", "One step, then pause"},
+    {Action::one_step, "O, Enter", "O", "One step, then pause"},
     {Action::restart, "R", "R", "Restart with the same seed: the same run again"},
     {Action::new_seed, "Shift+R", "Shift+R", "Restart with a new seed"},
     {Action::previous_scene, "[", "[", "Previous scene"},
@@ -23,6 +23,18 @@ constexpr std::array<KeyRow, action_count> keys = {{
     {Action::toggle_help, "F1", "F1", "This page"},
     {Action::close, "Esc", "Esc", "Close a list, this page or full screen"},
     {Action::quit, "Ctrl+Q", "Ctrl+Q", "Quit"},
+    {Action::forward, "→, PgDn", "→", "One unit forth, then pause"},
+    {Action::back, "←, PgUp", "←", "One unit back"},
+    {Action::forward_coarser, "Shift+→", "Shift+→", "One of the next larger units forth"},
+    {Action::back_coarser, "Shift+←", "Shift+←", "One of the next larger units back"},
+    {Action::step_start, "Ctrl+Home", "Ctrl+Home", "To the start of the step"},
+    {Action::step_end, "Ctrl+End", "Ctrl+End", "To the end of the step"},
+    {Action::unit_pass, "1", "1", "Unit: a pass (one dispatch)"},
+    {Action::unit_stage, "2", "2", "Unit: a stage"},
+    {Action::unit_substep, "3", "3", "Unit: a substep"},
+    {Action::unit_step, "4", "4", "Unit: a step"},
+    {Action::toggle_stepper, "F2", "F2", "The strip of dispatches, to look inside a step"},
+    {Action::toggle_microscope, "M", "M", "Microscope of the bitonic sort"},
 }};
 
 constexpr std::array<CameraRow, 7> camera = {{

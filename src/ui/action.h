@@ -21,10 +21,22 @@ enum class Action : std::uint8_t {
     full_screen,
     camera_home,
     toggle_help,
+    forward,  // one unit
+    back,
+    forward_coarser,  // one of the next larger units
+    back_coarser,
+    step_start,
+    step_end,
+    unit_pass,
+    unit_stage,
+    unit_substep,
+    unit_step,
+    toggle_stepper,
+    toggle_microscope,
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 14;
+inline constexpr std::size_t action_count = 26;
 
 struct KeyRow {
     Action action;
@@ -33,8 +45,10 @@ struct KeyRow {
     std::string_view meaning;
 };
 
-/// One row an action, in the order of the help page.
+/// One row an action, in the order of the help page: first those of the window, then `stepping_actions` to look
+/// inside a step.
 std::span<const KeyRow> key_table();
+inline constexpr std::size_t stepping_actions = 12;
 
 /// The short form for the space beside a control.
 std::string_view key_hint(Action action);

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "core/settings.h"
 #include "ui/action.h"
 #include "ui/options.h"
+#include "ui/stepping.h"
 
 namespace ballpit::ui {
 
@@ -40,8 +43,35 @@ struct ChangeTextSize {
 struct ClearStatus {};
 struct DismissMessage {};
 
+/// What the arrow keys move by.
+struct ChooseUnit {
+    StepUnit unit;
+};
+struct StepForward {
+    StepUnit unit;
+};
+struct StepBack {
+    StepUnit unit;
+};
+/// To a place that was reached before or lies ahead.
+struct GoTo {
+    Place place;
+};
+struct SetCheckpointBudget {
+    std::size_t bytes;
+};
+/// The ball that is marked and followed; the camera flies to it if asked to.
+struct SelectBall {
+    std::optional<std::uint32_t> ball;
+    bool fly = false;
+};
+struct SelectCell {
+    std::optional<std::uint32_t> cell;
+};
+
 using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
-                             ChangeTextSize, ClearStatus, DismissMessage>;
+                             ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
+                             SetCheckpointBudget, SelectBall, SelectCell>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

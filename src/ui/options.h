@@ -25,6 +25,8 @@ struct ViewOptions {
     bool timings = false;
     bool panels = true;
     bool help = false;
+    bool stepper = false;
+    bool microscope = false;
 
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };

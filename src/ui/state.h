@@ -10,7 +10,9 @@
 #include "core/layout.h"
 #include "core/settings.h"
 #include "measure/occupancy.h"
+#include "ui/inspection.h"
 #include "ui/options.h"
+#include "ui/stepping.h"
 
 namespace ballpit::ui {
 
@@ -66,6 +68,9 @@ struct State {
     const measure::Occupancy* occupancy = nullptr;  // null until the first copy has arrived
     std::uint32_t top_count = 8;                    // balls in a cell that get the last colour
     vec3 (*amount_colour)(float) = nullptr;         // sRGB of an amount from 0 to 1, as the picture colours cells
+
+    const SteppingState* stepping = nullptr;  // never null in the window
+    const Inspection* inspection = nullptr;   // null while no panel looks into the buffers
 
     std::string_view message;  // empty: none
     bool close_popups = false;

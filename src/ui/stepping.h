@@ -1,0 +1,38 @@
+// Where the run stands inside a step, as plain data for the panels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/schedule.h"
+#include "core/stepper.h"
+
+namespace ballpit::ui {
+
+/// The substep that the strip shows, and how many of its dispatches have run: 0 to all of them. All of them is the
+/// moment at which the next substep begins, seen from behind: what ran last is what is lit and spoken of.
+struct Place {
+    Moment substep;
+    std::uint32_t ran = 0;
+    friend auto operator<=>(const Place&, const Place&) = default;
+};
+
+struct SteppingState {
+    Place place;
+    std::uint32_t substeps = 1;          // of the step shown
+    const Schedule* schedule = nullptr;  // of the substep shown, pass by pass; never null
+    StepUnit unit = StepUnit::step;
+    std::uint64_t first_step = 0;     // steps done at the start of what is remembered
+    std::uint64_t furthest_step = 0;  // the most steps that were ever done since
+
+    std::uint64_t hash_step = 0;        // steps done when the state had this hash
+    std::optional<std::uint64_t> hash;  // arrives late
+    std::optional<Divergence> divergence;
+
+    std::size_t checkpoint_bytes = 0;
+    std::size_t checkpoint_budget = 0;
+    std::size_t checkpoint_count = 0;
+};
+
+}  // namespace ballpit::ui
