@@ -3,6 +3,13 @@
 #include "shared/lighting.glsl"
 #include "shared/ball_surface.glsl"
 
+#ifdef FADED
+flat in float shown;
+#define OPACITY shown
+#else
+#define OPACITY 1.0
+#endif
+
 in vec3 place;
 in vec3 normal;
 in vec2 uv;
@@ -10,4 +17,4 @@ flat in vec4 tint;
 
 layout(location = 0) out vec4 colour;
 
-void main() { colour = vec4(ball_colour(texture(surface, uv).rgb, tint, place, normalize(normal)), 1.0); }
+void main() { colour = vec4(ball_colour(texture(surface, uv).rgb, tint, place, normalize(normal)), OPACITY); }

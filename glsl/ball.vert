@@ -2,12 +2,18 @@
 // One instance of the model a ball, straight from the physics' buffers.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/fade_ball.glsl"
+
+#ifdef FADED
+uniform bool ghosts;                     // see-through balls, or all others
+#endif
 
 layout(location = 0) in vec3 vertex;
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 2) in vec2 vertex_uv;
 layout(location = 3) in vec4 ball;       // centre, radius
 layout(location = 4) in vec4 velocity;   // velocity, mass
+layout(location = 6) in float value;
 
 out vec3 place;
 out vec3 normal;
@@ -20,6 +26,11 @@ void main() {
     place = ball.xyz + ball.w * turned(turn, vertex);
     normal = turned(turn, vertex_normal);
     uv = vertex_uv;
-    tint = ball_tint(id, ball.xyz, velocity.xyz);
-    gl_Position = is_finite(ball) ? frame.view_projection * vec4(place, 1.0) : nowhere;
+    tint = ball_tint(id, ball.xyz, velocity.xyz, value);
+    bool drawn = is_finite(ball);
+#ifdef FADED
+    shown = presence_of(ball);
+    drawn = drawn && (ghosts ? shown > 0.0 && shown < 1.0 : shown >= 1.0);
+#endif
+    gl_Position = drawn ? frame.view_projection * vec4(place, 1.0) : nowhere;
 }

@@ -2,6 +2,7 @@
 // A soft dark disc on the ground below each ball near it: less light from everywhere gets there.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/fade_ball.glsl"
 
 layout(location = 0) in vec2 corner;     // -1 or 1
 layout(location = 3) in vec4 ball;       // centre, radius
@@ -20,6 +21,10 @@ void main() {
     }
     across = corner;
     strength = 0.6 * fade;
+#ifdef FADED
+    shown = presence_of(ball);
+    strength *= shown;
+#endif
     vec2 place = ball.xy + (1.35 + 0.4 * height) * ball.w * corner;
     gl_Position = frame.view_projection * vec4(place, -frame.half_extent.z, 1.0);
 }

@@ -4,6 +4,13 @@
 #include "shared/lighting.glsl"
 #include "shared/ball_surface.glsl"
 
+#ifdef FADED
+flat in float shown;
+#define OPACITY shown
+#else
+#define OPACITY 1.0
+#endif
+
 in vec3 ray;
 flat in vec4 sphere;
 flat in vec4 tint;
@@ -35,5 +42,5 @@ void main() {
     // The level is given: the jump of the longitude would make derivatives choose the smallest one.
     vec2 uv = sphere_uv(turned(vec4(-turn.xyz, turn.w), normal));
     float level = log2(max(texel_scale * float(textureSize(surface, 0).y), 1.0));
-    colour = vec4(ball_colour(textureLod(surface, uv, level).rgb, tint, place, normal), 1.0);
+    colour = vec4(ball_colour(textureLod(surface, uv, level).rgb, tint, place, normal), OPACITY);
 }

@@ -3,10 +3,16 @@
 // cone of all rays from the eye that touch the sphere.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/fade_ball.glsl"
+
+#ifdef FADED
+uniform bool ghosts;                     // see-through balls, or all others
+#endif
 
 layout(location = 0) in vec2 corner;     // -1 or 1
 layout(location = 3) in vec4 ball;       // centre, radius
 layout(location = 4) in vec4 velocity;   // velocity, mass
+layout(location = 6) in float value;
 
 out vec3 ray;                            // from the eye to the square
 flat out vec4 sphere;
@@ -19,7 +25,12 @@ const float pi = 3.14159265;
 void main() {
     vec3 axis = ball.xyz - frame.eye;
     float squared = dot(axis, axis) - ball.w * ball.w;
-    if (!is_finite(ball) || squared <= 0.0) {   // no silhouette from within
+    bool drawn = is_finite(ball) && squared > 0.0;   // no silhouette from within
+#ifdef FADED
+    shown = presence_of(ball);
+    drawn = drawn && (ghosts ? shown > 0.0 && shown < 1.0 : shown >= 1.0);
+#endif
+    if (!drawn) {
         gl_Position = nowhere;
         return;
     }
@@ -30,7 +41,7 @@ void main() {
     uint id = uint(gl_InstanceID);
     ray = place - frame.eye;
     sphere = ball;
-    tint = ball_tint(id, ball.xyz, velocity.xyz);
+    tint = ball_tint(id, ball.xyz, velocity.xyz, value);
     turn = ball_turn(id);
     texel_scale = length(axis) / (pi * ball.w * frame.pixels_per_radian);
     gl_Position = frame.view_projection * vec4(place, 1.0);

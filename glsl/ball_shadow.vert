@@ -3,6 +3,7 @@
 // half of the ball lies before its disc, so that no ball shades itself and no bias is needed.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/fade_ball.glsl"
 #include "shared/shadow.glsl"
 
 layout(location = 0) in vec2 corner;     // -1 or 1
@@ -15,7 +16,12 @@ void main() {
     float away = length(axis);
     vec3 ahead = axis / away;
     float squared = away * away - ball.w * ball.w;
-    if (!is_finite(ball) || !(squared > 0.0) || ahead.z > shadow_horizon) {
+    bool drawn = is_finite(ball) && squared > 0.0 && ahead.z <= shadow_horizon;
+#ifdef FADED
+    shown = presence_of(ball);
+    drawn = drawn && shown > 0.0;
+#endif
+    if (!drawn) {
         gl_Position = nowhere;
         return;
     }

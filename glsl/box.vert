@@ -1,6 +1,7 @@
 #version 330 core
 // The twelve edges of the box, each a strip of constant width in pixels.
 #include "shared/frame.glsl"
+#include "shared/wide_line.glsl"
 
 out float across;                        // -1 to 1
 
@@ -15,22 +16,12 @@ vec3 corner_of_edge(int edge, float end) {
 void main() {
     vec4 from = frame.view_projection * vec4(corner_of_edge(gl_InstanceID, -1.0), 1.0);
     vec4 to = frame.view_projection * vec4(corner_of_edge(gl_InstanceID, 1.0), 1.0);
-    // Cut at the near plane first: behind the eye a direction on the screen means nothing.
-    float from_near = from.z + from.w;
-    float to_near = to.z + to.w;
-    if (from_near <= 0.0 && to_near <= 0.0) {
+    if (!cut_at_near_plane(from, to)) {
         gl_Position = nowhere;
         return;
     }
-    if (from_near < 0.0) {
-        from = mix(from, to, from_near / (from_near - to_near));
-    } else if (to_near < 0.0) {
-        to = mix(to, from, to_near / (to_near - from_near));
-    }
-    vec2 along = (to.xy / to.w - from.xy / from.w) * frame.picture_size;
-    vec2 normal = length(along) > 0.0 ? normalize(vec2(-along.y, along.x)) : vec2(0.0);
-    vec4 place = (gl_VertexID & 2) != 0 ? to : from;
-    across = (gl_VertexID & 1) != 0 ? 1.0 : -1.0;
-    place.xy += across * 2.0 * half_width * normal / frame.picture_size * place.w;
-    gl_Position = place;
+    vec2 place;
+    float size;
+    gl_Position = wide_line(from, to, half_width, place, size);
+    across = place.y / half_width;
 }

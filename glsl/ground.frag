@@ -30,5 +30,5 @@ void main() {
     albedo = mix(albedo, vec3(0.36, 0.41, 0.48), line);
     vec3 surface = srgb(lit(albedo, vec3(0.0), 1.0, place, vec3(0.0, 0.0, 1.0)));
     float inside = outside == vec2(0.0) ? 1.0 : 0.7;
-    colour = vec4(mix(background(gl_FragCoord.y / frame.picture_size.y), surface, inside * presence), 1.0);
+    colour = vec4(mix(background((gl_FragCoord.y - frame.picture_origin.y) / frame.picture_size.y), surface, inside * presence), 1.0);
 }

@@ -4,12 +4,18 @@
 #define BLOCK_FRAME 1             // beside BLOCK_PARAMS of layout.h
 
 #define SEQUENTIAL_COLOURS 9
+#define DIVERGING_COLOURS 9
 #define CATEGORICAL_COLOURS 8
 
 #define COLOUR_TINTED 0u          // view::BallColour
 #define COLOUR_PLAIN 1u
 #define COLOUR_SPEED 2u
 #define COLOUR_CELL 3u
+#define COLOUR_VALUE 4u
+
+#define PALETTE_SEQUENTIAL 0u     // view::Palette
+#define PALETTE_DIVERGING 1u
+#define PALETTE_CATEGORICAL 2u
 
 struct FrameParams {
     mat4 view_projection;
@@ -32,6 +38,18 @@ struct FrameParams {
     vec2 picture_size;            // pixels
     float marker_radius;          // m
     float shadow_range;           // m that the shadow map's depth spans; 0: no shadows
+    vec2 picture_origin;          // pixels from the framebuffer's lower left corner
+    float value_low;              // value that gets the palette's first colour
+    float value_high;             // and its last
+    vec3 no_value_colour;
+    uint value_palette;
+    vec3 slice_normal;            // along an axis, towards the eye; 0 without a slice
+    float slice_place;            // m: dot(slice_normal, point) of the slice's plane
+    uint slice_axis;
+    uint slice_layer;
+    float cut_away;               // 1: balls beyond the slice's plane are left out
+    float arrow_seconds;
     vec4 sequential[SEQUENTIAL_COLOURS];
+    vec4 diverging[DIVERGING_COLOURS];
     vec4 categorical[CATEGORICAL_COLOURS];
 };

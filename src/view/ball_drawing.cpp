@@ -1,9 +1,11 @@
 #include "view/ball_drawing.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -14,8 +16,8 @@ namespace ballpit::view {
 
 namespace {
 
-// Attribute locations of ball.vert, ball_impostor.vert, ball_shadow.vert and ball_contact.vert.
-enum Location : GLuint { at_vertex, at_normal, at_uv, at_ball, at_velocity };
+// Attribute locations of all ball shaders.
+enum Location : GLuint { at_vertex, at_normal, at_uv, at_ball, at_velocity, at_presence, at_value };
 
 constexpr GLint square_corners = 4;
 constexpr float coarse_below = 32.0f;  // pixels across
@@ -32,26 +34,74 @@ gl::Texture make_texture(const Image& image) {
     return image.pixels.empty() ? gl::Texture(1, 1, white) : gl::Texture(image.width, image.height, image.pixels);
 }
 
-// The buffers change places every substep, hence anew for each picture. Without velocities the positions stand in:
-// no shader then looks at them.
-void point_at_balls(gl::VertexArray& array, const Picture& picture) {
-    const gl::Buffer& velocities = picture.velocities != nullptr ? *picture.velocities : *picture.positions;
-    array.floats(at_ball, *picture.positions, 4, sizeof(vec4), 0, 1);
-    array.floats(at_velocity, velocities, 4, sizeof(vec4), 0, 1);
+void point_at(gl::VertexArray& array, Location location, const gl::Buffer* buffer, float otherwise) {
+    if (buffer != nullptr) {
+        array.floats(location, *buffer, 1, sizeof(float), 0, 1);
+        return;
+    }
+    array.bind();
+    glDisableVertexAttribArray(location);
+    glVertexAttrib1f(location, otherwise);
+}
+
+bool cuts_away(const Picture& picture) {
+    const std::optional<GridSlice>& slice = picture.overlay->slice;
+    return slice && slice->cut_away && slice_plane(picture.grid, *slice, picture.camera.position);
 }
 
 }  // namespace
 
+BallDrawing::Programs::Programs(const std::filesystem::path& shader_folder, const std::string& stem)
+    : whole(load_view_program(shader_folder, stem)), faded(load_view_program(shader_folder, stem, {"FADED"})) {}
+
 BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model& model)
-    : model_program_(load_view_program(shader_folder, "ball")),
-      impostor_program_(load_view_program(shader_folder, "ball_impostor")),
-      shadow_program_(load_view_program(shader_folder, "ball_shadow")),
-      contact_program_(load_view_program(shader_folder, "ball_contact")) {
+    : model_programs_(shader_folder, "ball"),
+      impostor_programs_(shader_folder, "ball_impostor"),
+      shadow_programs_(shader_folder, "ball_shadow"),
+      contact_programs_(shader_folder, "ball_contact"),
+      arrow_programs_(shader_folder, "arrow") {
     constexpr std::array<glm::vec2, square_corners> corners = {glm::vec2(-1.0f, -1.0f), glm::vec2(1.0f, -1.0f),
                                                                glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, 1.0f)};
     square_ = static_buffer("square", std::span<const glm::vec2>(corners));
     square_array_.floats(at_vertex, square_, 2, sizeof(glm::vec2), 0);
     set_model(model);
+}
+
+const gl::Program& BallDrawing::use(const Programs& programs) const {
+    const gl::Program& program = faded_ ? programs.faded : programs.whole;
+    program.use();
+    return program;
+}
+
+// The buffers change places every substep, hence anew for each picture. Without velocities the positions stand in:
+// no shader then looks at them.
+void BallDrawing::point_at_balls(gl::VertexArray& array, const Picture& picture) const {
+    const gl::Buffer& velocities = picture.velocities != nullptr ? *picture.velocities : *picture.positions;
+    array.floats(at_ball, *picture.positions, 4, sizeof(vec4), 0, 1);
+    array.floats(at_velocity, velocities, 4, sizeof(vec4), 0, 1);
+    point_at(array, at_presence, presences_.empty() ? nullptr : &presence_buffer_, presence_);
+    point_at(array, at_value, picture.ball_colour == BallColour::value ? picture.values : nullptr, 0.0f);
+}
+
+void BallDrawing::prepare(const Picture& picture) {
+    presences_.clear();
+    presence_ = picture.overlay != nullptr ? 1.0f - std::clamp(picture.overlay->fade_others, 0.0f, 1.0f) : 1.0f;
+    faded_ = picture.overlay != nullptr && (presence_ < 1.0f || cuts_away(picture));
+    if (!faded_ || picture.overlay->highlights.empty() || picture.ball_count == 0) {
+        return;
+    }
+    constexpr float never_left_out = 2.0f;
+    presences_.assign(picture.ball_count, presence_);
+    for (const BallHighlight& highlight : picture.overlay->highlights) {
+        if (highlight.ball < picture.ball_count) {
+            presences_[highlight.ball] = never_left_out;
+        }
+    }
+    const auto bytes = std::as_bytes(std::span(presences_));
+    if (presence_buffer_.size() < bytes.size()) {
+        presence_buffer_ = gl::Buffer("presence of balls", bytes.size(), GL_STREAM_DRAW);
+    }
+    presence_buffer_.write(bytes);
 }
 
 void BallDrawing::set_model(const Model& model) {
@@ -98,7 +148,7 @@ void BallDrawing::use_surface(const gl::Program& program, const Surface& surface
 
 void BallDrawing::draw_shadow_map(const Picture& picture) {
     point_at_balls(square_array_, picture);
-    shadow_program_.use();
+    use(shadow_programs_);
     square_array_.bind();
     glEnable(GL_DEPTH_TEST);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, square_corners, static_cast<GLsizei>(picture.ball_count));
@@ -107,7 +157,7 @@ void BallDrawing::draw_shadow_map(const Picture& picture) {
 
 void BallDrawing::draw_contacts(const Picture& picture) {
     point_at_balls(square_array_, picture);
-    contact_program_.use();
+    use(contact_programs_);
     square_array_.bind();
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
@@ -119,27 +169,67 @@ void BallDrawing::draw_contacts(const Picture& picture) {
 }
 
 void BallDrawing::draw_balls(const Picture& picture) {
-    const auto balls = static_cast<GLsizei>(picture.ball_count);
+    const bool all_ghosts = presence_ < 1.0f && presences_.empty();
+    if (!all_ghosts) {
+        glEnable(GL_DEPTH_TEST);
+        draw_look(picture, false);
+    }
+}
+
+void BallDrawing::draw_ghosts(const Picture& picture) {
+    if (presence_ <= 0.0f || presence_ >= 1.0f) {
+        return;
+    }
     glEnable(GL_DEPTH_TEST);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_look(picture, true);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthFunc(GL_EQUAL);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    draw_look(picture, true);
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LEQUAL);
+}
+
+void BallDrawing::draw_look(const Picture& picture, bool ghosts) {
+    const auto balls = static_cast<GLsizei>(picture.ball_count);
     if (picture.look == Look::impostor) {
         point_at_balls(square_array_, picture);
-        impostor_program_.use();
-        use_surface(impostor_program_, meshes_.front().surfaces.front());
+        const gl::Program& program = use(impostor_programs_);
+        glUniform1i(program.uniform("ghosts"), ghosts ? 1 : 0);
+        use_surface(program, meshes_.front().surfaces.front());
         square_array_.bind();
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, square_corners, balls);
         return;
     }
     Mesh& mesh = mesh_for(picture);
     point_at_balls(mesh.array, picture);
-    model_program_.use();
+    const gl::Program& program = use(model_programs_);
+    glUniform1i(program.uniform("ghosts"), ghosts ? 1 : 0);
     mesh.array.bind();
     (mesh.closed ? glEnable : glDisable)(GL_CULL_FACE);
     for (const Surface& surface : mesh.surfaces) {
-        use_surface(model_program_, surface);
+        use_surface(program, surface);
         glDrawElementsInstanced(GL_TRIANGLES, surface.index_count, GL_UNSIGNED_INT,
                                 reinterpret_cast<const void*>(surface.first_index * sizeof(std::uint32_t)), balls);
     }
     glDisable(GL_CULL_FACE);
+}
+
+void BallDrawing::draw_arrows(const Picture& picture) {
+    if (picture.overlay == nullptr || picture.overlay->arrow_seconds <= 0.0f || picture.velocities == nullptr) {
+        return;
+    }
+    constexpr GLsizei corners = 9;  // a shaft of two triangles and a head
+    point_at_balls(ball_array_, picture);
+    use(arrow_programs_);
+    ball_array_.bind();
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, corners, static_cast<GLsizei>(picture.ball_count));
+    glDisable(GL_BLEND);
 }
 
 }  // namespace ballpit::view

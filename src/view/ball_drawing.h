@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "gl/buffer.h"
@@ -19,13 +20,27 @@ public:
 
     void set_model(const Model& model);
 
+    /// First of all, for the picture that the following calls draw.
+    void prepare(const Picture& picture);
     /// Into a depth map, as the light sees them.
     void draw_shadow_map(const Picture& picture);
     /// Soft dark discs on the ground; to be drawn right after it.
     void draw_contacts(const Picture& picture);
+    /// All but those that the overlay makes see-through.
     void draw_balls(const Picture& picture);
+    /// Those, over what was drawn before them; only the nearest of them, so that a pile stays as see-through as a ball.
+    void draw_ghosts(const Picture& picture);
+    /// Velocities, where the overlay asks for them.
+    void draw_arrows(const Picture& picture);
 
 private:
+    // With and without balls that are see-through or left out: only who asks for them pays for thrown-away pixels.
+    struct Programs {
+        Programs(const std::filesystem::path& shader_folder, const std::string& stem);
+        gl::Program whole;
+        gl::Program faded;
+    };
+
     struct Surface {
         GLsizei index_count = 0;
         std::size_t first_index = 0;
@@ -45,15 +60,24 @@ private:
 
     static Mesh make_mesh(const Model& model);
     Mesh& mesh_for(const Picture& picture);
+    const gl::Program& use(const Programs& programs) const;
+    void point_at_balls(gl::VertexArray& array, const Picture& picture) const;
+    void draw_look(const Picture& picture, bool ghosts);
     void use_surface(const gl::Program& program, const Surface& surface) const;
 
-    gl::Program model_program_;
-    gl::Program impostor_program_;
-    gl::Program shadow_program_;
-    gl::Program contact_program_;
+    Programs model_programs_;
+    Programs impostor_programs_;
+    Programs shadow_programs_;
+    Programs contact_programs_;
+    Programs arrow_programs_;
     std::vector<Mesh> meshes_;  // fine, then the coarser one if there is one
     gl::VertexArray square_array_;
     gl::Buffer square_;
+    gl::VertexArray ball_array_;
+    bool faded_ = false;
+    float presence_ = 1.0f;  // of all balls, or, where some are highlighted, of each
+    std::vector<float> presences_;
+    gl::Buffer presence_buffer_;
 };
 
 }  // namespace ballpit::view

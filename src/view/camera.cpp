@@ -77,13 +77,16 @@ mat4 view_matrix(const Camera& camera) {
     return glm::translate(glm::lookAt(vec3(0.0f), forward(camera), world_up), -camera.position);
 }
 
-mat4 projection(const Camera& camera, const vec3& half_extent, float aspect) {
+vec2 depth_range(const Camera& camera, const vec3& half_extent) {
     // Three times the box holds the ground around it and the light above it.
     const float radius = glm::length(half_extent);
     const float distance = glm::length(camera.position);
-    const float near_plane = std::max(0.002f * radius, distance - 3.0f * radius);
-    const float far_plane = distance + 3.0f * radius;
-    return glm::perspective(camera.field_of_view, aspect, near_plane, far_plane);
+    return {std::max(0.002f * radius, distance - 3.0f * radius), distance + 3.0f * radius};
+}
+
+mat4 projection(const Camera& camera, const vec3& half_extent, float aspect) {
+    const vec2 planes = depth_range(camera, half_extent);
+    return glm::perspective(camera.field_of_view, aspect, planes.x, planes.y);
 }
 
 }  // namespace ballpit::view

@@ -37,7 +37,9 @@ vec3 up(const Camera& camera);
 Camera home(const vec3& half_extent, float aspect = 4.0f / 3.0f);
 
 mat4 view_matrix(const Camera& camera);
-/// Perspective whose near and far plane hold the box and its surroundings, wherever the camera is.
+/// m ahead of the eye of near and far plane, which hold the box and its surroundings, wherever the camera is.
+vec2 depth_range(const Camera& camera, const vec3& half_extent);
+/// Perspective with these planes.
 mat4 projection(const Camera& camera, const vec3& half_extent, float aspect);
 
 }  // namespace ballpit::view

@@ -1,7 +1,9 @@
 #include "view/frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "view/palette.h"
 
@@ -12,8 +14,13 @@ namespace {
 static_assert(static_cast<unsigned>(BallColour::tinted) == COLOUR_TINTED &&
               static_cast<unsigned>(BallColour::plain) == COLOUR_PLAIN &&
               static_cast<unsigned>(BallColour::speed) == COLOUR_SPEED &&
-              static_cast<unsigned>(BallColour::cell) == COLOUR_CELL);
+              static_cast<unsigned>(BallColour::cell) == COLOUR_CELL &&
+              static_cast<unsigned>(BallColour::value) == COLOUR_VALUE);
+static_assert(static_cast<unsigned>(Palette::sequential) == PALETTE_SEQUENTIAL &&
+              static_cast<unsigned>(Palette::diverging) == PALETTE_DIVERGING &&
+              static_cast<unsigned>(Palette::categorical) == PALETTE_CATEGORICAL);
 static_assert(std::tuple_size_v<decltype(sequential_palette)> == SEQUENTIAL_COLOURS &&
+              std::tuple_size_v<decltype(diverging_palette)> == DIVERGING_COLOURS &&
               std::tuple_size_v<decltype(categorical_palette)> == CATEGORICAL_COLOURS);
 
 void fill_camera(layout::FrameParams& frame, const Picture& picture) {
@@ -26,6 +33,54 @@ void fill_camera(layout::FrameParams& frame, const Picture& picture) {
     frame.camera_right = right(camera);
     frame.camera_up = up(camera);
     frame.picture_size = {width, height};
+    frame.picture_origin = {static_cast<float>(picture.x), static_cast<float>(picture.y)};
+}
+
+template <std::size_t N>
+void fill_palette(vec4 (&colours)[N], const std::array<vec3, N>& palette) {
+    for (std::size_t i = 0; i < N; ++i) {
+        colours[i] = vec4(linear_from_srgb(palette[i]), 1.0f);
+    }
+}
+
+bool can_colour(const Picture& picture) {
+    switch (picture.ball_colour) {
+        case BallColour::speed:
+            return picture.velocities != nullptr;
+        case BallColour::value:
+            return picture.values != nullptr;
+        default:
+            return true;
+    }
+}
+
+void fill_colours(layout::FrameParams& frame, const Picture& picture) {
+    frame.top_count = static_cast<float>(picture.top_count);
+    frame.top_speed = std::max(picture.top_speed, 1e-6f);
+    frame.ball_colour = can_colour(picture) ? static_cast<layout::uint>(picture.ball_colour) : COLOUR_TINTED;
+    frame.value_palette = static_cast<layout::uint>(picture.value_palette);
+    frame.value_low = picture.value_low;
+    frame.value_high = picture.value_high;
+    frame.no_value_colour = linear_from_srgb(no_value_colour);
+    fill_palette(frame.sequential, sequential_palette);
+    fill_palette(frame.diverging, diverging_palette);
+    fill_palette(frame.categorical, categorical_palette);
+}
+
+void fill_overlay(layout::FrameParams& frame, const Picture& picture) {
+    if (picture.overlay == nullptr) {
+        return;
+    }
+    frame.arrow_seconds = picture.overlay->arrow_seconds;
+    const std::optional<GridSlice>& slice = picture.overlay->slice;
+    const auto plane = slice ? slice_plane(picture.grid, *slice, picture.camera.position) : std::nullopt;
+    if (plane) {
+        frame.slice_normal = plane->normal;
+        frame.slice_place = plane->place;
+        frame.slice_axis = static_cast<layout::uint>(slice->axis);
+        frame.slice_layer = slice->layer;
+        frame.cut_away = slice->cut_away ? 1.0f : 0.0f;
+    }
 }
 
 void fill_light(layout::FrameParams& frame, const Picture& picture) {
@@ -67,16 +122,8 @@ layout::FrameParams make_frame(const Picture& picture) {
     frame.grid_origin = vec3(picture.grid.origin);
     frame.cell_width = static_cast<float>(picture.grid.cell_width);
     frame.grid_cells = picture.grid.cells;
-    frame.top_count = static_cast<float>(picture.top_count);
-    frame.top_speed = std::max(picture.top_speed, 1e-6f);
-    const bool no_speeds = picture.ball_colour == BallColour::speed && picture.velocities == nullptr;
-    frame.ball_colour = no_speeds ? COLOUR_TINTED : static_cast<layout::uint>(picture.ball_colour);
-    for (std::size_t i = 0; i < sequential_palette.size(); ++i) {
-        frame.sequential[i] = vec4(linear_from_srgb(sequential_palette[i]), 1.0f);
-    }
-    for (std::size_t i = 0; i < categorical_palette.size(); ++i) {
-        frame.categorical[i] = vec4(linear_from_srgb(categorical_palette[i]), 1.0f);
-    }
+    fill_colours(frame, picture);
+    fill_overlay(frame, picture);
     return frame;
 }
 

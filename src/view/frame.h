@@ -19,8 +19,8 @@ using glm::vec4;
 #include "shared/frame.h"
 
 static_assert(offsetof(FrameParams, eye) == 64 && offsetof(FrameParams, grid_cells) == 144 &&
-              offsetof(FrameParams, picture_size) == 192 && offsetof(FrameParams, sequential) == 208 &&
-              sizeof(FrameParams) == 208 + 16 * (SEQUENTIAL_COLOURS + CATEGORICAL_COLOURS));
+              offsetof(FrameParams, picture_size) == 192 && offsetof(FrameParams, sequential) == 272 &&
+              sizeof(FrameParams) == 272 + 16 * (SEQUENTIAL_COLOURS + DIVERGING_COLOURS + CATEGORICAL_COLOURS));
 
 }  // namespace ballpit::view::layout
 
@@ -29,6 +29,7 @@ namespace ballpit::view {
 inline constexpr int shadow_map_size = 1024;  // pixels a side
 inline constexpr GLuint unit_surface = 0;     // texture units
 inline constexpr GLuint unit_shadow_map = 1;
+inline constexpr GLuint unit_elements = 2;  // of a buffer, read by index
 
 layout::FrameParams make_frame(const Picture& picture);
 

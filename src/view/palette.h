@@ -50,7 +50,7 @@ struct ContinuousLegend {
 
 /// One entry a name, in the order of the categorical palette.
 std::vector<LegendEntry> categorical_legend(std::span<const std::string> names);
-/// For the sequential or diverging palette; three to six ticks. A range that is empty or not finite has no ticks.
+/// For the sequential or diverging palette; two to six ticks. A range that is empty or not finite has no ticks.
 ContinuousLegend continuous_legend(Palette palette, float low, float high, std::string_view unit);
 
 /// From the screen's values to amounts of light, and back.

@@ -8,6 +8,7 @@
 #include "view/ball_drawing.h"
 #include "view/cell_drawing.h"
 #include "view/frame.h"
+#include "view/overlay_drawing.h"
 #include "view/surroundings.h"
 
 namespace ballpit::view {
@@ -16,6 +17,7 @@ struct Renderer::Parts {
     Parts(const std::filesystem::path& shader_folder, const Model& model)
         : balls(shader_folder, model),
           cells(shader_folder),
+          overlay(shader_folder),
           surroundings(shader_folder),
           frame("frame", sizeof(layout::FrameParams), GL_DYNAMIC_DRAW) {}
 
@@ -31,7 +33,9 @@ struct Renderer::Parts {
     }
 
     void draw_picture(const Picture& picture) {
-        glViewport(0, 0, picture.width, picture.height);
+        glViewport(picture.x, picture.y, picture.width, picture.height);
+        glScissor(picture.x, picture.y, picture.width, picture.height);
+        glEnable(GL_SCISSOR_TEST);
         glClear(GL_DEPTH_BUFFER_BIT);
         shadow_map.bind(unit_shadow_map);
         surroundings.draw_background();
@@ -47,16 +51,25 @@ struct Renderer::Parts {
         if (picture.show_box) {
             surroundings.draw_box();
         }
-        if (picture.show_cells && picture.cell_ranges != nullptr) {
+        const bool sliced = picture.overlay != nullptr && picture.overlay->slice;
+        if (picture.show_cells && picture.cell_ranges != nullptr && !sliced) {
             cells.draw(picture);
         }
         if (picture.show_light) {
             surroundings.draw_light_marker();
         }
+        overlay.draw(picture, false);
+        if (picture.ball_count != 0) {
+            balls.draw_arrows(picture);
+            balls.draw_ghosts(picture);
+        }
+        overlay.draw(picture, true);
+        glDisable(GL_SCISSOR_TEST);
     }
 
     BallDrawing balls;
     CellDrawing cells;
+    OverlayDrawing overlay;
     Surroundings surroundings;
     gl::Buffer frame;
     gl::DepthMap shadow_map{shadow_map_size};
@@ -84,6 +97,8 @@ void Renderer::draw(const Picture& picture) {
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LEQUAL);
+    parts_->balls.prepare(picture);
+    parts_->overlay.prepare(picture);
     assert(picture.ball_count == 0 || picture.positions->size() >= picture.ball_count * sizeof(vec4));
     if (frame.shadow_range != 0.0f) {
         parts_->draw_shadow_map(picture);

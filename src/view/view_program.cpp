@@ -6,10 +6,11 @@
 
 namespace ballpit::view {
 
-gl::Program load_view_program(const std::filesystem::path& shader_folder, const std::string& stem) {
+gl::Program load_view_program(const std::filesystem::path& shader_folder, const std::string& stem,
+                              const std::vector<std::string_view>& defines) {
     const std::array<gl::ShaderStage, 2> stages = {
-        gl::ShaderStage{GL_VERTEX_SHADER, gl::load_shader(shader_folder, stem + ".vert")},
-        gl::ShaderStage{GL_FRAGMENT_SHADER, gl::load_shader(shader_folder, stem + ".frag")}};
+        gl::ShaderStage{GL_VERTEX_SHADER, gl::load_shader(shader_folder, stem + ".vert", defines)},
+        gl::ShaderStage{GL_FRAGMENT_SHADER, gl::load_shader(shader_folder, stem + ".frag", defines)}};
     gl::Program program(stages);
     const GLuint block = glGetUniformBlockIndex(program.id(), "Frame");
     if (block != GL_INVALID_INDEX) {
@@ -18,6 +19,7 @@ gl::Program load_view_program(const std::filesystem::path& shader_folder, const 
     program.use();
     glUniform1i(program.uniform("surface"), unit_surface);
     glUniform1i(program.uniform("shadow_map"), unit_shadow_map);
+    glUniform1i(program.uniform("elements"), unit_elements);
     return program;
 }
 

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "gl/program.h"
 
@@ -10,6 +12,7 @@ namespace ballpit::view {
 
 /// <stem>.vert and <stem>.frag of the folder, linked, with frame block and textures at their places. Throws
 /// gl::ShaderError.
-gl::Program load_view_program(const std::filesystem::path& shader_folder, const std::string& stem);
+gl::Program load_view_program(const std::filesystem::path& shader_folder, const std::string& stem,
+                              const std::vector<std::string_view>& defines = {});
 
 }  // namespace ballpit::view

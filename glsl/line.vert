@@ -1,0 +1,43 @@
+#version 330 core
+// Lines of the overlay, one instance each.
+#include "shared/frame.glsl"
+#include "shared/wide_line.glsl"
+
+layout(location = 0) in vec3 start;
+layout(location = 1) in vec3 end;
+layout(location = 2) in vec4 line_colour;
+layout(location = 3) in float width;     // pixels
+layout(location = 4) in float hidden;    // share of the opacity where balls lie before it
+layout(location = 5) in float lift;      // m nearer to the eye, for its depth only
+
+uniform bool through;                    // draws what shows through balls
+
+noperspective out vec2 place;            // pixels along the line and beside it
+flat out float size;                     // its length in pixels
+flat out float half_width;
+flat out vec4 paint;
+
+const float rim = 1.5;                   // pixels, dark
+
+float lifted_depth(vec3 point, vec4 clip) {
+    vec3 to_eye = frame.eye - point;
+    vec4 lifted = frame.view_projection * vec4(point + lift * normalize(to_eye), 1.0);
+    return lift < length(to_eye) ? max(lifted.z / lifted.w, -1.0) * clip.w : -clip.w;
+}
+
+void main() {
+    vec4 from = frame.view_projection * vec4(start, 1.0);
+    vec4 to = frame.view_projection * vec4(end, 1.0);
+    half_width = 0.5 * width;
+    paint = vec4(line_colour.rgb, line_colour.a * (through ? hidden : 1.0));
+    bool whole = from.z + from.w > 0.0 && to.z + to.w > 0.0;
+    if (lift > 0.0 && whole) {
+        from.z = lifted_depth(start, from);
+        to.z = lifted_depth(end, to);
+    }
+    if (paint.a <= 0.0 || !cut_at_near_plane(from, to)) {
+        gl_Position = nowhere;
+        return;
+    }
+    gl_Position = wide_line(from, to, half_width + rim, place, size);
+}
