@@ -17,7 +17,9 @@ endif()
 
 if(BALLPIT_SANITIZE)
   target_compile_options(ballpit_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                   -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)
+                                                   -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS
+    # gcc warns of memory that only the sanitizers' own code leaves unset, even inside <regex>.
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(ballpit_options INTERFACE -fsanitize=address,undefined)
 endif()
 if(BALLPIT_STATIC_RUNTIME)
