@@ -52,6 +52,15 @@ StepUnit coarser(StepUnit unit) {
     return unit == StepUnit::step ? unit : static_cast<StepUnit>(static_cast<int>(unit) + 1);
 }
 
+// Whether the next event ends a press. In a slow frame a press and its end come together; older versions of ImGui look
+// only at what is down when a frame begins, and would never see it: then the end waits for the next frame.
+bool release_comes_next() {
+    SDL_PumpEvents();
+    SDL_Event next;
+    return SDL_PeepEvents(&next, 1, SDL_PEEKEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) == 1 &&
+           (next.type == SDL_KEYUP || next.type == SDL_MOUSEBUTTONUP);
+}
+
 class Window {
 public:
     explicit Window(const WindowOptions& options);
@@ -177,10 +186,12 @@ void Window::handle_events() {
     int height = 1;
     SDL_GetWindowSize(context_.window(), nullptr, &height);
     SDL_Event event;
-    while (SDL_PollEvent(&event) != 0) {
+    bool pressed = false;
+    while (!(pressed && release_comes_next()) && SDL_PollEvent(&event) != 0) {
         settling_ = settling_frames;
         gui_.process(event);
         input_.handle(event, gui_.typing(), std::max(height, 1));
+        pressed |= event.type == SDL_MOUSEBUTTONDOWN || (event.type == SDL_KEYDOWN && gui_.typing());
         if (event.type == SDL_QUIT) {
             quit_ = true;
         }

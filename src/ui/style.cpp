@@ -44,7 +44,8 @@ void apply_style(float scale) {
     style.WindowBorderSize = 1.0f;
     style.WindowPadding = {12.0f, 10.0f};
     style.FramePadding = {7.0f, 2.0f};
-    style.ItemSpacing = {8.0f, 3.0f};
+    style.ItemSpacing = {8.0f, 2.0f};
+    style.CellPadding = {4.0f, 1.0f};
     style.ItemInnerSpacing = {6.0f, 4.0f};
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
