@@ -22,7 +22,8 @@ const float rim = 1.5;                   // pixels, dark
 float lifted_depth(vec3 point, vec4 clip) {
     vec3 to_eye = frame.eye - point;
     vec4 lifted = frame.view_projection * vec4(point + lift * normalize(to_eye), 1.0);
-    return lift < length(to_eye) ? max(lifted.z / lifted.w, -1.0) * clip.w : -clip.w;
+    bool before_near_plane = lift >= length(to_eye) || lifted.z < -lifted.w;
+    return before_near_plane ? -clip.w : lifted.z / lifted.w * clip.w;
 }
 
 void main() {
@@ -31,13 +32,13 @@ void main() {
     half_width = 0.5 * width;
     paint = vec4(line_colour.rgb, line_colour.a * (through ? hidden : 1.0));
     bool whole = from.z + from.w > 0.0 && to.z + to.w > 0.0;
+    if (paint.a <= 0.0 || (!whole && !cut_at_near_plane(from, to))) {
+        gl_Position = nowhere;
+        return;
+    }
     if (lift > 0.0 && whole) {
         from.z = lifted_depth(start, from);
         to.z = lifted_depth(end, to);
-    }
-    if (paint.a <= 0.0 || !cut_at_near_plane(from, to)) {
-        gl_Position = nowhere;
-        return;
     }
     gl_Position = wide_line(from, to, half_width + rim, place, size);
 }
