@@ -30,18 +30,25 @@ int open_window(const app::Options& options) {
     window.backend = options.backend;
     window.assets_folder = setup.paths.assets;
     window.shader_folder = setup.paths.shaders;
-    window.model_file = options.model.empty() ? setup.paths.assets / "models" / "ball.obj" : std::filesystem::path(options.model);
+    window.model_file =
+        options.model.empty() ? setup.paths.assets / "models" / "ball.obj" : std::filesystem::path(options.model);
     return app::run_window(window);
 }
 
 int run(const app::Options& options) {
     switch (options.command) {
-        case app::Command::window: return open_window(options);
-        case app::Command::headless: return app::run_headless(options);
-        case app::Command::check: return app::run_check(options);
-        case app::Command::bench: return app::run_bench(options);
-        case app::Command::scenes: return app::run_scenes();
-        case app::Command::settings: return app::run_settings();
+        case app::Command::window:
+            return open_window(options);
+        case app::Command::headless:
+            return app::run_headless(options);
+        case app::Command::check:
+            return app::run_check(options);
+        case app::Command::bench:
+            return app::run_bench(options);
+        case app::Command::scenes:
+            return app::run_scenes();
+        case app::Command::settings:
+            return app::run_settings();
     }
     return fine;
 }

@@ -23,9 +23,9 @@ struct Row {
     std::uint32_t balls = 0;
     std::uint32_t substeps = 0;
     std::string sort;
-    std::vector<double> substep_ms;                            // a sample a substep
+    std::vector<double> substep_ms;  // a sample a substep
     std::array<std::vector<double>, stage_count> stage_ms;
-    double wall_ms = 0.0;                                      // a substep, on the wall clock, queueing included
+    double wall_ms = 0.0;  // a substep, on the wall clock, queueing included
 };
 
 void run_steps(Simulation& simulation, std::uint64_t steps) {
@@ -37,7 +37,7 @@ void run_steps(Simulation& simulation, std::uint64_t steps) {
 
 Row measure_row(Simulation& simulation, std::uint64_t steps) {
     Backend& backend = simulation.backend();
-    run_steps(simulation, steps);   // warm-up: compiles, clocks, caches
+    run_steps(simulation, steps);  // warm-up: compiles, clocks, caches
     backend.set_timing(true);
     const auto start = std::chrono::steady_clock::now();
     run_steps(simulation, steps);
@@ -45,8 +45,14 @@ Row measure_row(Simulation& simulation, std::uint64_t steps) {
     backend.set_timing(false);
 
     const Settings& settings = simulation.settings();
-    Row row{std::string(backend.name()), simulation.scene().name, settings.balls, settings.substeps,
-            std::string(sort_names[static_cast<std::size_t>(settings.sort)]), {}, {}, 0.0};
+    Row row{std::string(backend.name()),
+            simulation.scene().name,
+            settings.balls,
+            settings.substeps,
+            std::string(sort_names[static_cast<std::size_t>(settings.sort)]),
+            {},
+            {},
+            0.0};
     row.wall_ms = wall_ms / static_cast<double>(steps * settings.substeps);
     for (const StageTimes& times : backend.take_times()) {
         double sum = 0.0;
@@ -88,8 +94,8 @@ std::string csv_text(const std::vector<Row>& rows, const Json& device) {
     }
     out << '\n';
     for (const Row& row : rows) {
-        out << device["device"] << ',' << device["driver"] << ',' << row.backend << ",\"" << row.scene << "\"," << row.balls
-            << ',' << row.substeps << ',' << row.sort << ',' << median(row.substep_ms) << ','
+        out << device["device"] << ',' << device["driver"] << ',' << row.backend << ",\"" << row.scene << "\","
+            << row.balls << ',' << row.substeps << ',' << row.sort << ',' << median(row.substep_ms) << ','
             << quantile(row.substep_ms, 0.25) << ',' << quantile(row.substep_ms, 0.75) << ',' << row.wall_ms;
         for (const auto& stage : row.stage_ms) {
             out << ',' << median(stage);
@@ -113,7 +119,8 @@ void print(const Row& row) {
     quartiles << std::fixed << std::setprecision(4) << quantile(row.substep_ms, 0.25) << ".."
               << quantile(row.substep_ms, 0.75);
     std::cout << std::fixed << std::setprecision(4) << std::setw(9) << row.balls << std::setw(10) << row.substeps
-              << std::setw(15) << row.sort << std::setw(14) << median(row.substep_ms) << std::setw(20) << quartiles.str();
+              << std::setw(15) << row.sort << std::setw(14) << median(row.substep_ms) << std::setw(20)
+              << quartiles.str();
     for (const auto& stage : row.stage_ms) {
         std::cout << std::setw(14) << median(stage);
     }
@@ -125,9 +132,8 @@ std::vector<Settings> combinations(const Options& options, const Settings& base)
     std::vector<Settings> all;
     const auto balls = options.balls.empty() ? std::vector{base.balls} : options.balls;
     const auto substeps = options.substeps.empty() ? std::vector{base.substeps} : options.substeps;
-    const auto sorts = options.sort.empty()
-                           ? std::vector{std::string(sort_names[static_cast<std::size_t>(base.sort)])}
-                           : options.sort;
+    const auto sorts =
+        options.sort.empty() ? std::vector{std::string(sort_names[static_cast<std::size_t>(base.sort)])} : options.sort;
     for (const std::uint32_t count : balls) {
         for (const std::uint32_t n : substeps) {
             for (const std::string& sort : sorts) {

@@ -42,8 +42,9 @@ void print(const measure::CheckReport& report, const Simulation& simulation) {
               << " steps, " << report.dispatches << " dispatches on " << simulation.backend().device()
               << " against the mirror\n"
               << std::left << std::setw(15) << "stage" << std::setw(17) << "writes" << std::right << std::setw(14)
-              << "elements" << std::setw(11) << "differ" << std::setw(14) << "beyond bound" << std::setw(12) << "max error"
-              << std::setw(10) << "of bound" << "\n";
+              << "elements" << std::setw(11) << "differ" << std::setw(14) << "beyond bound" << std::setw(12)
+              << "max error" << std::setw(10) << "of bound"
+              << "\n";
     for (const measure::CheckRow& row : report.rows) {
         std::cout << std::left << std::setw(15) << stage_name(row.stage) << std::setw(17) << slot_name(row.slot)
                   << std::right << std::setw(14) << row.elements << std::setw(11) << row.differing << std::setw(14)

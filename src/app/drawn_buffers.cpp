@@ -9,7 +9,7 @@ const gl::Buffer* DrawnBuffers::get(Backend& backend, Slot slot, gl::Buffer& cop
         const gl::Buffer& buffer = gpu->buffer_for_drawing(slot);
         return buffer.size() == 0 ? nullptr : &buffer;
     }
-    const Bytes bytes = backend.read(slot);   // the mirror's memory: no device to wait for
+    const Bytes bytes = backend.read(slot);  // the mirror's memory: no device to wait for
     if (bytes.empty()) {
         return nullptr;
     }

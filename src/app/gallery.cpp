@@ -35,7 +35,8 @@ fs::path find_scene(const fs::path& assets, const std::string& name_or_file) {
         }
         names += (names.empty() ? "" : ", ") + scene.name;
     }
-    throw InputError("there is no scene '" + name_or_file + "': expected a file that ends in .json, or one of " + names);
+    throw InputError("there is no scene '" + name_or_file + "': expected a file that ends in .json, or one of " +
+                     names);
 }
 
 }  // namespace ballpit::app

@@ -10,7 +10,7 @@
 namespace ballpit::app {
 
 struct SceneEntry {
-    std::string name;              // file stem, as on the command line
+    std::string name;  // file stem, as on the command line
     std::filesystem::path path;
 };
 

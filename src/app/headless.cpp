@@ -43,10 +43,10 @@ public:
     void add_row() {
         if (file_) {
             const BallState state = simulation_.synchronised_state();
-            write_trace_row(file_->stream(), simulation_.step_count(), simulation_.time(),
-                            measure::totals_of(state, simulation_.settings(), simulation_.features(),
-                                               simulation_.half_extent()),
-                            state);
+            write_trace_row(
+                file_->stream(), simulation_.step_count(), simulation_.time(),
+                measure::totals_of(state, simulation_.settings(), simulation_.features(), simulation_.half_extent()),
+                state);
         }
     }
     void commit() {
@@ -78,8 +78,8 @@ Json make_report(Simulation& simulation, const BallState& state, double wall_ms)
     report["simulated_s"] = simulation.time();
     report["wall_ms_per_step"] = steps > 0.0 ? wall_ms / steps : 0.0;
     report["settings"] = settings_json(simulation);
-    report["totals"] = totals_json(
-        measure::totals_of(state, simulation.settings(), simulation.features(), simulation.half_extent()));
+    report["totals"] =
+        totals_json(measure::totals_of(state, simulation.settings(), simulation.features(), simulation.half_extent()));
     report["status"] = status_json(read_slot<Status>(simulation.backend(), Slot::status).front());
     report["overlapping_at_start"] = simulation.overlapping_at_start();
     report["state_hash"] = hash_text(hash_state(simulation.raw_state()));
@@ -114,7 +114,7 @@ int run_headless(const Options& options) {
     const std::uint64_t steps = steps_to_run(options, setup.settings.dt);
     std::optional<Screenshot> screenshot;
     if (picture) {
-        screenshot.emplace(setup.paths, options);   // before the work: a missing model is told at once
+        screenshot.emplace(setup.paths, options);  // before the work: a missing model is told at once
     }
 
     Trace trace(options.trace, simulation);
@@ -124,8 +124,7 @@ int run_headless(const Options& options) {
         trace.add_row();
     }
     simulation.backend().finish();
-    const double wall_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     trace.commit();
 
     const BallState state = simulation.synchronised_state();

@@ -71,7 +71,8 @@ CLI::App* add_headless(CLI::App& app, Options& options) {
 }
 
 CLI::App* add_check(CLI::App& app, Options& options) {
-    CLI::App* check = app.add_subcommand("check", "Every dispatch on the GPU against the mirror; exit code 1 on a difference");
+    CLI::App* check =
+        app.add_subcommand("check", "Every dispatch on the GPU against the mirror; exit code 1 on a difference");
     add_scene_options(*check, options);
     check->add_option("--steps", options.steps, "Steps to check (default 10)")->check(whole_number);
     check->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
@@ -84,7 +85,8 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
     bench->add_option("--balls", options.balls, "Ball counts, such as 1000,5000,20000")->delimiter(',');
     bench->add_option("--substeps", options.substeps, "Substeps a step, such as 1,8")->delimiter(',');
     bench->add_option("--sort", options.sort, "Sorts to compare, such as bitonic,bitonic_fused")->delimiter(',');
-    bench->add_option("--steps", options.steps, "Timed steps a row, after as many for warm-up (default 20)")->check(whole_number);
+    bench->add_option("--steps", options.steps, "Timed steps a row, after as many for warm-up (default 20)")
+        ->check(whole_number);
     bench->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
     bench->add_option("--csv", options.csv, "Report as CSV to a file, or - for standard output");
     return bench;
@@ -108,7 +110,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     };
     try {
         app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {   // --help, --version
+    } catch (const CLI::Success& asked) {  // --help, --version
         app.exit(asked, std::cout, std::cerr);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {

@@ -15,20 +15,20 @@ struct Options {
 
     // What to simulate.
     std::string scene = "rain";
-    std::string backend = "auto";             // auto, gpu, cpu
-    std::vector<std::string> set;             // KEY=VALUE
+    std::string backend = "auto";  // auto, gpu, cpu
+    std::vector<std::string> set;  // KEY=VALUE
     std::optional<std::uint64_t> seed;
-    std::string model;                        // OBJ file, empty: the ball of the assets
+    std::string model;  // OBJ file, empty: the ball of the assets
 
     // headless, check
     std::optional<std::uint64_t> steps;
-    std::optional<double> seconds;            // simulated
+    std::optional<double> seconds;  // simulated
     std::string state_out;
     std::string trace;
     std::string screenshot;
     int width = 1280;
     int height = 720;
-    std::string look = "model";               // model, impostor
+    std::string look = "model";  // model, impostor
 
     // bench
     std::vector<std::uint32_t> balls;

@@ -24,7 +24,7 @@ fs::path program_folder() {
 
 std::vector<fs::path> candidates() {
     if (const char* home = std::getenv("BALLPIT_HOME")) {
-        return {home};   // whoever sets it means it: no other place stands in for it
+        return {home};  // whoever sets it means it: no other place stands in for it
     }
     std::vector<fs::path> folders;
     fs::path folder = program_folder();

@@ -6,8 +6,8 @@
 namespace ballpit::app {
 
 struct Paths {
-    std::filesystem::path shaders;   // glsl/
-    std::filesystem::path assets;    // assets/
+    std::filesystem::path shaders;  // glsl/
+    std::filesystem::path assets;   // assets/
 };
 
 /// Looks in $BALLPIT_HOME, then upwards from the program's folder, then in share/ballpit beside it, then in the source

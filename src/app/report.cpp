@@ -23,7 +23,9 @@ Json settings_json(const Simulation& simulation) {
 }
 
 Json status_json(const Status& status) {
-    return {{"not_finite", status.not_finite}, {"out_of_bounds", status.out_of_bounds}, {"over_capacity", status.over_capacity}};
+    return {{"not_finite", status.not_finite},
+            {"out_of_bounds", status.out_of_bounds},
+            {"over_capacity", status.over_capacity}};
 }
 
 std::string hash_text(std::uint64_t hash) {

@@ -28,7 +28,8 @@ void Screenshot::save(Simulation& simulation) {
     picture.half_extent = vec3(simulation.half_extent());
     picture.width = framebuffer_.width();
     picture.height = framebuffer_.height();
-    picture.camera = view::home(picture.half_extent, static_cast<float>(picture.width) / static_cast<float>(picture.height));
+    picture.camera =
+        view::home(picture.half_extent, static_cast<float>(picture.width) / static_cast<float>(picture.height));
     picture.look = look_;
     framebuffer_.bind();
     renderer_.draw(picture);

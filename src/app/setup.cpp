@@ -59,7 +59,8 @@ Device open_device(const std::string& choice, const std::filesystem::path& shade
         return device;
     }
     if (choice == "auto" && device.note.empty()) {
-        device.note = "the CPU mirror computes: the stages need OpenGL 4.3, this context has " + device.context->version();
+        device.note =
+            "the CPU mirror computes: the stages need OpenGL 4.3, this context has " + device.context->version();
     }
     device.backend = std::make_unique<cpu::CpuBackend<float>>();
     return device;

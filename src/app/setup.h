@@ -18,7 +18,7 @@ struct Setup {
     Paths paths;
     std::filesystem::path scene_file;
     Scene scene;
-    Settings settings;         // the scene's, with --set
+    Settings settings;  // the scene's, with --set
     std::uint64_t seed = 0;
 };
 
@@ -28,9 +28,9 @@ Setup make_setup(const Options& options);
 
 /// A context, where one is needed, and the backend on it.
 struct Device {
-    std::unique_ptr<gl::Context> context;   // null where nothing needs OpenGL
+    std::unique_ptr<gl::Context> context;  // null where nothing needs OpenGL
     std::unique_ptr<Backend> backend;
-    std::string note;                       // why `auto` did not take the GPU; else empty
+    std::string note;  // why `auto` did not take the GPU; else empty
 };
 
 /// `choice`: auto, gpu or cpu. With `picture` the context is made for the CPU backend, too, to draw with.

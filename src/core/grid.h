@@ -8,9 +8,9 @@
 namespace ballpit {
 
 struct Grid {
-    dvec3 origin{0.0};       // m, lower corner of cell 0
-    double cell_width = 1.0; // m
-    uvec3 cells{1};          // along x, y, z; cell id = (z * cells.y + y) * cells.x + x
+    dvec3 origin{0.0};        // m, lower corner of cell 0
+    double cell_width = 1.0;  // m
+    uvec3 cells{1};           // along x, y, z; cell id = (z * cells.y + y) * cells.x + x
 
     std::uint32_t cell_count() const { return cells.x * cells.y * cells.z; }
 };

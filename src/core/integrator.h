@@ -13,8 +13,8 @@ namespace ballpit {
 
 enum class Integrator { leapfrog, symplectic_euler, velocity_verlet, forward_euler, historical };
 
-inline constexpr std::array<std::string_view, 5> integrator_names = {
-    "leapfrog", "symplectic_euler", "velocity_verlet", "forward_euler", "historical"};
+inline constexpr std::array<std::string_view, 5> integrator_names = {"leapfrog", "symplectic_euler", "velocity_verlet",
+                                                                     "forward_euler", "historical"};
 
 /// v becomes decay * v + gain * a. Exact for a constant over `duration` s and linear drag (1/s):
 /// decay = exp(-drag * duration), gain = (1 - decay) / drag, which is `duration` without drag.

@@ -16,7 +16,8 @@ constexpr std::uint64_t mix_bits(std::uint64_t z) {
 /// Uniform in [0, 1), 53 bits.
 constexpr double random_unit(std::uint64_t seed, std::uint64_t stream, std::uint64_t index) {
     constexpr std::uint64_t golden = 0x9E3779B97F4A7C15ull;
-    const std::uint64_t bits = mix_bits(mix_bits(mix_bits(seed + golden) + (stream + 1) * golden) + (index + 1) * golden);
+    const std::uint64_t bits =
+        mix_bits(mix_bits(mix_bits(seed + golden) + (stream + 1) * golden) + (index + 1) * golden);
     return static_cast<double>(bits >> 11) * 0x1.0p-53;
 }
 

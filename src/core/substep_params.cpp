@@ -29,9 +29,9 @@ SubstepParams<double> make_substep_params(const Settings& settings, const dvec3&
 
 layout::SubstepParams shader_params(const SubstepParams<double>& params) {
     const auto p = narrowed<float>(params);
-    return {p.gravity, p.drift, p.half_extent, p.inverse_cell_width, p.grid_origin, p.stiffness,
-            p.grid_cells, p.ball_count, p.decay, p.gain, p.second_decay, p.second_gain,
-            p.damping_ratio, p.key_count, p.cell_count, 0u};
+    return {p.gravity,    p.drift, p.half_extent, p.inverse_cell_width, p.grid_origin, p.stiffness,     p.grid_cells,
+            p.ball_count, p.decay, p.gain,        p.second_decay,       p.second_gain, p.damping_ratio, p.key_count,
+            p.cell_count, 0u};
 }
 
 }  // namespace ballpit

@@ -35,11 +35,21 @@ SubstepParams<double> make_substep_params(const Settings& settings, const dvec3&
 /// Rounds each member once, so that mirror and GPU start from the same numbers.
 template <class Real>
 SubstepParams<Real> narrowed(const SubstepParams<double>& p) {
-    return {Vec3<Real>(p.gravity), static_cast<Real>(p.drift), Vec3<Real>(p.half_extent),
-            static_cast<Real>(p.inverse_cell_width), Vec3<Real>(p.grid_origin), static_cast<Real>(p.stiffness),
-            p.grid_cells, p.ball_count, static_cast<Real>(p.decay), static_cast<Real>(p.gain),
-            static_cast<Real>(p.second_decay), static_cast<Real>(p.second_gain),
-            static_cast<Real>(p.damping_ratio), p.key_count, p.cell_count};
+    return {Vec3<Real>(p.gravity),
+            static_cast<Real>(p.drift),
+            Vec3<Real>(p.half_extent),
+            static_cast<Real>(p.inverse_cell_width),
+            Vec3<Real>(p.grid_origin),
+            static_cast<Real>(p.stiffness),
+            p.grid_cells,
+            p.ball_count,
+            static_cast<Real>(p.decay),
+            static_cast<Real>(p.gain),
+            static_cast<Real>(p.second_decay),
+            static_cast<Real>(p.second_gain),
+            static_cast<Real>(p.damping_ratio),
+            p.key_count,
+            p.cell_count};
 }
 
 layout::SubstepParams shader_params(const SubstepParams<double>& params);

@@ -28,7 +28,8 @@ public:
             cells_[axis] = static_cast<int>(size[axis] / width_) + 1;
         }
         first_.assign(static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
-                          static_cast<std::size_t>(cells_.z), none);
+                          static_cast<std::size_t>(cells_.z),
+                      none);
     }
 
     bool is_free(const std::vector<vec4>& positions, const vec4& candidate) const {
@@ -66,7 +67,8 @@ private:
     }
     std::size_t index(int x, int y, int z) const {
         return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y) + static_cast<std::size_t>(y)) *
-                   static_cast<std::size_t>(cells_.x) + static_cast<std::size_t>(x);
+                   static_cast<std::size_t>(cells_.x) +
+               static_cast<std::size_t>(x);
     }
 
     dvec3 lower_;
@@ -102,7 +104,7 @@ BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, con
     BallSpec spec;
     spec.radius = std::lerp(fill.radius[0], fill.radius[1], random_unit(seed, stream_radius, ball));
     spec.mass = sphere_mass(spec.radius, fill.density);
-    if (fill.speed > 0.0) {   // 0 times a negative direction would be -0, which compilers treat as they like
+    if (fill.speed > 0.0) {  // 0 times a negative direction would be -0, which compilers treat as they like
         spec.velocity = fill.speed * random_direction(seed, ball);
     }
     for (std::uint32_t attempt = 0; attempt < tries_per_ball; ++attempt) {
@@ -127,8 +129,8 @@ BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, con
 World make_world(const Scene& scene, std::uint32_t count, std::uint64_t seed) {
     const auto listed = static_cast<std::uint32_t>(scene.balls.size());
     if (count > listed && !scene.fill) {
-        throw InputError("setting 'balls' cannot be " + std::to_string(count) + ": scene '" + scene.name +
-                         "' lists " + std::to_string(listed) + " and has no fill");
+        throw InputError("setting 'balls' cannot be " + std::to_string(count) + ": scene '" + scene.name + "' lists " +
+                         std::to_string(listed) + " and has no fill");
     }
     const double wide = widening(scene, count);
     const dvec3 scale{wide, wide, 1.0};

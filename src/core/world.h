@@ -9,7 +9,7 @@ namespace ballpit {
 struct World {
     BallState balls;
     dvec3 half_extent{0.0};
-    std::uint32_t overlapping = 0;   // balls of the fill that found no free place
+    std::uint32_t overlapping = 0;  // balls of the fill that found no free place
 };
 
 /// The first `scene.settings.balls`-like count of balls: those listed first, then the fill, which goes on as

@@ -12,7 +12,7 @@ namespace ballpit::gl {
 inline void delete_program(GLuint id) { glDeleteProgram(id); }
 
 struct ShaderStage {
-    GLenum kind;  // GL_COMPUTE_SHADER, GL_VERTEX_SHADER, ...
+    GLenum kind = GL_COMPUTE_SHADER;  // or GL_VERTEX_SHADER, ...
     ShaderSource source;
 };
 
