@@ -10,8 +10,10 @@ work=$(mktemp -d)
 patience=90   # s for one thing to happen
 app=
 display_server=
+manager=
 
 cleanup() {
+    [ -z "$manager" ] || kill "$manager" 2>/dev/null || true
     [ -z "$app" ] || kill "$app" 2>/dev/null || true
     [ -z "$display_server" ] || kill "$display_server" 2>/dev/null || true
     rm -rf "$work"
@@ -266,11 +268,19 @@ wait_for "a picture of the new size" colourful 900x600+0+0 500
 xdotool windowsize --sync "$window" 1280 720
 wait_for "the old size" shot_sized 1280x720
 
-step "full screen and back"
-key F11
-wait_for "full screen" shot_sized 1400x900
-key F11
-wait_for "the window again" shot_sized 1280x720
+if command -v openbox >/dev/null; then
+    step "full screen and back"
+    openbox >/dev/null 2>&1 &   # it is the window manager that makes a window fill the screen
+    manager=$!
+    wait_for "the window manager" eval 'xdotool get_num_desktops >/dev/null 2>&1'
+    xdotool windowactivate --sync "$window"
+    key F11
+    wait_for "full screen" shot_sized 1400x900
+    key Escape
+    wait_for "the window again" shot_sized 1280x720
+else
+    step "full screen: skipped, for want of a window manager (openbox)"
+fi
 
 step "Ctrl+Q quits with exit code 0"
 xdotool windowfocus "$window"
