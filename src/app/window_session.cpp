@@ -202,9 +202,15 @@ void Session::choose_scene(std::size_t index) {
     }
 }
 
+// A scene that is refused is passed over, and its sentence stays on screen: else no key would lead past it.
 void Session::next_scene(int offset) {
     const auto count = static_cast<int>(scenes_.size());
-    choose_scene(static_cast<std::size_t>((static_cast<int>(scene_) + offset + count) % count));
+    const int changes = scene_changes_;
+    int index = static_cast<int>(scene_);
+    for (int tried = 1; tried < count && scene_changes_ == changes; ++tried) {
+        index = (index + offset + count) % count;
+        choose_scene(static_cast<std::size_t>(index));
+    }
 }
 
 void Session::choose_backend(ui::BackendChoice choice) {
