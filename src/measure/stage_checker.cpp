@@ -41,8 +41,10 @@ Violation violation_after(Backend& backend, const Schedule& schedule, const Disp
 }  // namespace
 
 void StageChecker::load(const BallState& state, const Schedule& schedule, bool limit_force) {
-    mirror_.load(state, schedule, limit_force);
-    mirror_.write(Slot::status, backend_.read(Slot::status));
+    if (mirror_ != nullptr) {
+        mirror_->load(state, schedule, limit_force);
+        mirror_->write(Slot::status, backend_.read(Slot::status));
+    }
 }
 
 void StageChecker::run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
@@ -50,8 +52,10 @@ void StageChecker::run(const Schedule& schedule, const SubstepParams<double>& pa
     for (std::size_t i = first; i < last; ++i) {
         const Dispatch& dispatch = schedule.dispatches[i];
         backend_.run(schedule, params, i, i + 1);
-        mirror_.run(schedule, params, i, i + 1);
-        compare(dispatch, params);
+        if (mirror_ != nullptr) {
+            mirror_->run(schedule, params, i, i + 1);
+            compare(dispatch, params);
+        }
         if (i + 1 == schedule.dispatches.size() || schedule.dispatches[i + 1].stage != dispatch.stage) {
             check_invariant(schedule, dispatch, params);
         }
@@ -60,7 +64,9 @@ void StageChecker::run(const Schedule& schedule, const SubstepParams<double>& pa
 }
 
 void StageChecker::end_substep() {
-    mirror_.swap_states();
+    if (mirror_ != nullptr) {
+        mirror_->swap_states();
+    }
     ++substeps_;
 }
 
@@ -77,7 +83,7 @@ void StageChecker::clear() {
 void StageChecker::compare(const Dispatch& dispatch, const SubstepParams<double>& params) {
     for (const Slot slot : dispatch.writes) {
         const Bytes ours = backend_.read(slot);
-        const Bytes theirs = mirror_.read(slot);
+        const Bytes theirs = mirror_->read(slot);
         CheckRow& row = row_of(dispatch.stage, slot);
         row.elements += element_count(slot, ours);
         if (ours == theirs) {
@@ -85,7 +91,7 @@ void StageChecker::compare(const Dispatch& dispatch, const SubstepParams<double>
         }
         const Comparison difference = compare_slot(slot, ours, theirs, bounds(slot, dispatch, params));
         add(row, difference, dispatch);
-        mirror_.write(slot, ours);
+        mirror_->write(slot, ours);
         bytes_[static_cast<std::size_t>(slot)] = CheckedBytes{dispatch.name, ours, theirs, difference.places};
     }
 }

@@ -36,7 +36,9 @@ struct CheckedBytes {
 
 class StageChecker {
 public:
-    StageChecker(Backend& backend, Backend& mirror) : backend_(backend), mirror_(mirror) {}
+    StageChecker(Backend& backend, Backend& mirror) : backend_(backend), mirror_(&mirror) {}
+    /// Without a mirror only the invariants are checked.
+    explicit StageChecker(Backend& backend) : backend_(backend) {}
 
     /// The mirror takes the backend's state (`state`, as it is computed with) and status.
     void load(const BallState& state, const Schedule& schedule, bool limit_force);
@@ -71,7 +73,7 @@ private:
     void check_invariant(const Schedule& schedule, const Dispatch& dispatch, const SubstepParams<double>& params);
 
     Backend& backend_;
-    Backend& mirror_;
+    Backend* mirror_ = nullptr;
     std::vector<CheckRow> rows_;
     std::array<std::optional<CheckedBytes>, slot_count> bytes_;
     std::vector<std::string> violations_;

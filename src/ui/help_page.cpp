@@ -1,4 +1,4 @@
-// F1: every key beside its meaning.
+// F1: every key beside its meaning, in two columns.
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -20,26 +20,45 @@ bool begin_help_table(const char* name) {
         return false;
     }
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 7.5f * em());
-    ImGui::TableSetupColumn("meaning");
+    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthFixed, 20.5f * em());
     return true;
+}
+
+void action_rows(const char* name, std::span<const KeyRow> rows) {
+    if (begin_help_table(name)) {
+        for (const KeyRow& row : rows) {
+            help_row(row.keys, row.meaning);
+        }
+        ImGui::EndTable();
+    }
+}
+
+void rule() {
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+}
+
+void window_column() {
+    action_rows("keys", key_table().first(key_table().size() - stepping_actions));
+    rule();
+    if (begin_help_table("camera")) {
+        for (const CameraRow& row : camera_table()) {
+            help_row(row.keys, row.meaning);
+        }
+        ImGui::EndTable();
+    }
 }
 
 }  // namespace
 
 void help_page(const State&, Commands& commands) {
-    if (begin_help_table("keys")) {
-        for (const KeyRow& row : key_table()) {
-            help_row(row.keys, row.meaning);
-        }
-        ImGui::EndTable();
-    }
-    ImGui::Spacing();
-    ImGui::Separator();
-    ImGui::Spacing();
-    if (begin_help_table("camera")) {
-        for (const CameraRow& row : camera_table()) {
-            help_row(row.keys, row.meaning);
-        }
+    if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerV)) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        window_column();
+        ImGui::TableNextColumn();
+        action_rows("inside", key_table().last(stepping_actions));
         ImGui::EndTable();
     }
     ImGui::Spacing();

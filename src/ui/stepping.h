@@ -1,12 +1,16 @@
 // Where the run stands inside a step, as plain data for the panels.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "core/schedule.h"
 #include "core/stepper.h"
+#include "core/vector.h"
+#include "measure/stage_numbers.h"
+#include "ui/live_check.h"
 
 namespace ballpit::ui {
 
@@ -33,6 +37,10 @@ struct SteppingState {
     std::size_t checkpoint_bytes = 0;
     std::size_t checkpoint_budget = 0;
     std::size_t checkpoint_count = 0;
+
+    measure::StageNumbers numbers;                  // of the dispatch that ran last; nothing while the simulation runs
+    std::array<vec3, stage_count> stage_colours{};  // sRGB
+    LiveCheckState check;
 };
 
 }  // namespace ballpit::ui

@@ -1,0 +1,82 @@
+#include "app/window_stage_numbers.h"
+
+namespace ballpit::app {
+
+namespace {
+
+const Dispatch* ran_last(const ui::SteppingState& stepping) {
+    const std::uint32_t ran = stepping.place.ran;
+    return ran == 0 || ran > stepping.schedule->dispatches.size() ? nullptr : &stepping.schedule->dispatches[ran - 1];
+}
+
+template <class T>
+std::vector<T> copy_of(const Inspector& inspector, Slot slot) {
+    const Bytes* bytes = inspector.bytes(slot);
+    return bytes == nullptr ? std::vector<T>() : typed<T>(*bytes);
+}
+
+measure::StageNumbers numbers_of(const Inspector& inspector, const ui::SteppingState& stepping,
+                                 const vec3& half_extent) {
+    const Dispatch* dispatch = ran_last(stepping);
+    if (dispatch == nullptr) {
+        return {};
+    }
+    const Schedule& schedule = *stepping.schedule;
+    switch (dispatch->program.shader) {
+        case Shader::assign_cells:
+            return measure::assign_numbers(schedule, copy_of<Key>(inspector, Slot::keys),
+                                           copy_of<vec4>(inspector, Slot::positions), half_extent);
+        case Shader::bitonic_sort:
+        case Shader::bitonic_sort_fused:
+            return measure::sort_numbers(schedule, *dispatch, typed<Key>(inspector.keys_before()));
+        case Shader::clear_cells:
+            return measure::ClearNumbers{schedule.cell_count};
+        case Shader::build_grid:
+            return measure::build_numbers(copy_of<CellRange>(inspector, Slot::cell_ranges));
+        case Shader::collide:  // its output has become the state, its input the other buffer
+            return measure::collide_numbers(copy_of<vec4>(inspector, Slot::next_positions),
+                                            copy_of<vec4>(inspector, Slot::velocities));
+    }
+    return {};
+}
+
+}  // namespace
+
+void StageNumbersReader::ask(Inspector& inspector, const ui::SteppingState& stepping) {
+    const Dispatch* dispatch = ran_last(stepping);
+    if (dispatch == nullptr) {
+        return;
+    }
+    switch (dispatch->program.shader) {
+        case Shader::assign_cells:
+            inspector.want(Slot::keys);
+            inspector.want(Slot::positions);
+            break;
+        case Shader::bitonic_sort:
+        case Shader::bitonic_sort_fused:
+            inspector.want(Slot::keys);  // the next pass then finds them as its keys before
+            inspector.want_keys_before();
+            break;
+        case Shader::clear_cells:
+            break;
+        case Shader::build_grid:
+            inspector.want(Slot::cell_ranges);
+            break;
+        case Shader::collide:
+            inspector.want(Slot::next_positions);
+            inspector.want(Slot::velocities);
+            break;
+    }
+}
+
+const measure::StageNumbers& StageNumbersReader::read(const Inspector& inspector, const ui::SteppingState& stepping,
+                                                      const vec3& half_extent, std::uint64_t revision) {
+    if (revision != revision_ || stepping.place != place_) {
+        revision_ = revision;
+        place_ = stepping.place;
+        numbers_ = numbers_of(inspector, stepping, half_extent);
+    }
+    return numbers_;
+}
+
+}  // namespace ballpit::app
