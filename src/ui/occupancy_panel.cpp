@@ -12,7 +12,7 @@ namespace ballpit::ui {
 
 namespace {
 
-constexpr std::size_t most_singles = 16;
+constexpr std::size_t single_bars = 16;
 
 std::string bar_label(const HistogramBar& bar) {
     return bar.first == bar.last ? std::to_string(bar.first)
@@ -97,7 +97,7 @@ void occupancy_panel(const State& state) {
     const measure::Occupancy& occupancy = *state.occupancy;
     dim_text(format("occupied %s   mean %.2f   max %s   width %.3g m", grouped(occupancy.occupied).c_str(),
                     occupancy.mean_occupied, grouped(occupancy.max).c_str(), state.cell_width));
-    const auto bars = histogram_bars(occupancy.histogram, most_singles);
+    const auto bars = histogram_bars(occupancy.histogram, single_bars);
     if (!bars.empty()) {
         histogram_plot(state, bars);
         dim_text("cells (height) that hold so many balls (below)");
