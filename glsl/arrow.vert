@@ -34,11 +34,11 @@ void main() {
     float head = min(3.6 * half_shaft, 0.6 * size);
     bool in_head = gl_VertexID >= 6;
     int corner = in_head ? gl_VertexID - 6 : gl_VertexID < 3 ? gl_VertexID : gl_VertexID - 2;   // 0 1 2, 1 2 3
-    float sign = (corner & 1) != 0 ? 1.0 : -1.0;
-    bool far = corner >= 2;
-    float along = in_head ? (far ? size : size - head) : (far ? size - head : 0.0);
-    float wide = in_head ? (far ? 0.0 : 2.6 * half_shaft) : half_shaft;
-    edge = in_head && far ? vec2(0.0) : vec2(sign, 1.0);
+    float flank = (corner & 1) != 0 ? 1.0 : -1.0;
+    bool at_front = corner >= 2;
+    float along = in_head ? (at_front ? size : size - head) : (at_front ? size - head : 0.0);
+    float wide = in_head ? (at_front ? 0.0 : 2.6 * half_shaft) : half_shaft;
+    edge = in_head && at_front ? vec2(0.0) : vec2(flank, 1.0);
     paint = sequential_colour(speed / frame.top_speed);
-    gl_Position = frame.view_projection * vec4(start + along * ahead + sign * wide * side, 1.0);
+    gl_Position = frame.view_projection * vec4(start + along * ahead + flank * wide * side, 1.0);
 }

@@ -1,6 +1,7 @@
 // What the renderer draws, pixel by pixel, against what geometry says; and that what is broken is skipped or refused.
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 
 #include "core/layout.h"
@@ -250,4 +251,48 @@ TEST_CASE_METHOD(test::GlFixture, "a missing shader file is named", "[view]") {
         message = error.what();
     }
     CHECK(message.find("ball.vert") != std::string::npos);
+}
+
+TEST_CASE_METHOD(GlFixture, "two pictures stand side by side, and touch nothing outside", "[view]") {
+    Inside studio;
+    studio.picture.show_box = studio.picture.show_ground = studio.picture.show_light = true;
+    studio.set_balls({vec4(0, 0, 0, 0.4f), vec4(-0.6f, 0, -0.2f, 0.3f)});
+    studio.overlay.lines = {{vec3(-3, 0, 0), vec3(3, 0, 1), red, 9.0f}};  // beyond the picture's sides
+    Picture& picture = studio.picture;
+    picture.camera = home(picture.half_extent, 0.6f);
+    picture.width = 150;
+    picture.height = 200;
+    const gl::Framebuffer small(150, 200);
+    small.bind();
+    studio.renderer.draw(picture);
+    const Pixels alone = small.pixels();
+
+    studio.framebuffer.bind();
+    glClearColor(1.0f, 0.0f, 1.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    picture.x = 4;
+    picture.y = 12;
+    studio.renderer.draw(picture);
+    picture.x = 166;
+    studio.renderer.draw(picture);
+    CHECK(glIsEnabled(GL_SCISSOR_TEST) == GL_FALSE);
+    const Pixels both = studio.framebuffer.pixels();
+    int outside = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const std::size_t i = index_of(x, y);
+            const int row = y - (height - 12 - 200);
+            const int column = x < 160 ? x - 4 : x - 166;
+            if (row < 0 || row >= 200 || column < 0 || column >= 150) {
+                ++outside;
+                REQUIRE((both[i] == 255 && both[i + 1] == 0 && both[i + 2] == 255));
+                continue;
+            }
+            const auto j = 3 * static_cast<std::size_t>(row * 150 + column);
+            for (std::size_t c = 0; c < 3; ++c) {
+                REQUIRE(std::abs(both[i + c] - alone[j + c]) <= 2);  // the backdrop's noise goes by the framebuffer
+            }
+        }
+    }
+    CHECK(outside == width * height - 2 * 150 * 200);
 }

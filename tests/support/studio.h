@@ -4,12 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/layout.h"
 #include "gl/framebuffer.h"
+#include "support/catch.h"
 #include "view/renderer.h"
 
 namespace ballpit::test {
@@ -112,6 +117,41 @@ inline vec3 pixel_at(const Pixels& pixels, const Picture& picture, const vec3& p
     return {pixels[i], pixels[i + 1], pixels[i + 2]};
 }
 
+inline constexpr float half_turn = 3.14159265f;
+inline constexpr vec4 red{1.0f, 0.0f, 0.0f, 1.0f};
 inline constexpr std::array looks = {Look::model, Look::impostor};
+
+// A studio with an overlay, seen from the front: x to the right, z up; no shadows; 4 x 4 x 4 cells.
+struct Inside : Studio {
+    Overlay overlay;
+    gl::Buffer ranges;
+
+    Inside() {
+        picture.overlay = &overlay;
+        picture.camera = Camera{};
+        picture.camera.position = {0, -5, 0};
+        picture.camera.yaw = 0.5f * half_turn;
+        picture.show_shadows = false;
+        picture.grid = make_grid(dvec3(1.0), 0.25, 1.0, 1);
+        REQUIRE(picture.grid.cells == uvec3(4));
+    }
+
+    // Balls a cell; what is not named is empty.
+    void set_counts(std::initializer_list<std::pair<uvec3, std::uint32_t>> counts) {
+        std::vector<CellRange> table(picture.grid.cell_count(), CellRange{0, 0});
+        for (const auto& [cell, n] : counts) {
+            table[(cell.z * 4 + cell.y) * 4 + cell.x] = {7, 7 + n};
+        }
+        ranges = buffer_of(table);
+        picture.cell_ranges = &ranges;
+    }
+
+    vec3 at(const Pixels& pixels, const vec3& place) const { return pixel_at(pixels, picture, place); }
+    float pixels_a_metre() const { return 0.5f * height / std::tan(0.5f * picture.camera.field_of_view) / 5.0f; }
+};
+
+inline bool near_to(const vec3& a, const vec3& b, float tolerance) {
+    return glm::all(glm::lessThanEqual(glm::abs(a - b), vec3(tolerance)));
+}
 
 }  // namespace ballpit::test
