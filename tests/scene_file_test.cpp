@@ -304,3 +304,14 @@ TEST_CASE("every scene that ships can be read, and its fill finds room", "[core]
     }
     CHECK(files == test::shipped_scene_names.size());
 }
+
+TEST_CASE("the example in the documentation is a scene", "[core]") {
+    std::ifstream file(test::source_folder() / "docs" / "scenes.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    const std::size_t start = page.find("```json\n") + 8;
+    const std::size_t end = page.find("```", start);
+    REQUIRE(end != std::string::npos);
+    const Scene scene = parse_scene(page.substr(start, end - start), "docs/scenes.md");
+    CHECK(scene.settings.balls == 5002);
+    CHECK((scene.laws.gravity && scene.laws.drag && scene.laws.contact && scene.laws.restitution && scene.laws.walls));
+}
