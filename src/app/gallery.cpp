@@ -24,7 +24,7 @@ std::vector<SceneEntry> list_scenes(const fs::path& assets) {
 }
 
 fs::path find_scene(const fs::path& assets, const std::string& name_or_file) {
-    const fs::path file(name_or_file);
+    fs::path file(name_or_file);
     if (file.extension() == ".json" || file.has_parent_path()) {
         return file;
     }

@@ -34,7 +34,7 @@ void Simulation::restart(std::uint64_t seed) {
     load_world(make_world(scene_, settings_.balls, seed));
 }
 
-void Simulation::load_world(World world) {
+void Simulation::load_world(const World& world) {
     half_extent_ = world.half_extent;
     overlapping_ = world.overlapping;
     step_count_ = 0;

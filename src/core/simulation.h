@@ -51,7 +51,7 @@ public:
     /// Another scene on the same backend. On a throw the running scene is untouched, unless the device failed.
     void load(Scene scene, const Settings& settings, std::uint64_t seed);
     /// New settings while running. Balls that stay keep their motion; more balls come from the fill.
-    void change(const Settings& settings);
+    void change(const Settings& wanted);
     /// Moves the balls to another backend.
     void use(std::unique_ptr<Backend> backend);
 
@@ -74,7 +74,7 @@ public:
     const Backend& backend() const { return *backend_; }
 
 private:
-    void load_world(World world);
+    void load_world(const World& world);
     void load_state(const BallState& state);
     Schedule wanted_schedule(std::uint32_t ball_count) const;
     void rebase_clock();

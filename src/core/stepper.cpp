@@ -108,7 +108,7 @@ void Stepper::remember() {
     if (timeline_.budget() == 0 || timeline_.has(now)) {
         return;
     }
-    const std::size_t bytes = simulation_.schedule().ball_count * 2 * sizeof(vec4);
+    const std::size_t bytes = std::size_t{simulation_.schedule().ball_count} * 2 * sizeof(vec4);
     const std::size_t interval = bytes * wanted_checkpoints / timeline_.budget() + 1;
     if (now.step % interval == 0) {
         timeline_.add(now, simulation_.checkpoint());

@@ -78,7 +78,7 @@ private:
     void run_to(const Moment& target);
     void remember();
     void locate_divergence(std::uint64_t step);
-    std::optional<Moment> previous_moment(const Moment& moment) const;
+    std::optional<Moment> previous_moment(const Moment& now) const;
     std::uint32_t stage_end(std::uint32_t dispatch);
     std::uint32_t stage_start(std::uint32_t dispatch);
 

@@ -18,7 +18,7 @@ void Timeline::set_budget(std::size_t bytes) {
     shrink();
 }
 
-void Timeline::add(const Moment& moment, Checkpoint checkpoint) {
+void Timeline::add(const Moment& moment, Checkpoint&& checkpoint) {
     const std::size_t bytes = checkpoint.state->bytes();
     const auto [place, added] = checkpoints_.try_emplace(moment, std::move(checkpoint));
     if (added) {

@@ -37,7 +37,7 @@ public:
     bool has(const Moment& moment) const { return checkpoints_.contains(moment); }
     /// Keeps a checkpoint; beyond the budget those go first whose neighbours lie close together for their age, so that
     /// the recent past is dense and the far past thin.
-    void add(const Moment& moment, Checkpoint checkpoint);
+    void add(const Moment& moment, Checkpoint&& checkpoint);
     /// The newest checkpoint at or before the moment. There is one once the start was added.
     const std::pair<const Moment, Checkpoint>& at_or_before(const Moment& moment) const;
 

@@ -13,9 +13,9 @@ struct World {
 };
 
 /// The first `scene.settings.balls`-like count of balls: those listed first, then the fill, which goes on as
-/// long as `balls` asks for more (the fill's own count is only the default). Ball i is the same for every
+/// long as `count` asks for more (the fill's own count is only the default). Ball i is the same for every
 /// count at which the box is as wide. Throws InputError if more balls are asked for than the scene can
 /// give (no fill).
-World make_world(const Scene& scene, std::uint32_t balls, std::uint64_t seed);
+World make_world(const Scene& scene, std::uint32_t count, std::uint64_t seed);
 
 }  // namespace ballpit

@@ -75,7 +75,7 @@ struct Collider {
             contact_force(reach - distance, speed, reduced_mass, std::max(a.damping_ratio, b.damping_ratio)) * normal;
     }
 
-    void add_neighbours(const Ball<Real>& ball, Vec3<Real>& force) const;
+    void add_neighbours(const Ball<Real>& a, Vec3<Real>& force) const;
 
     // Walls are half-spaces: the deeper the ball, the stronger the push, on both sides of the box.
     void add_walls(const Ball<Real>& ball, Vec3<Real>& force) const {

@@ -160,10 +160,11 @@ FoundPairs found_pairs(const BufferSample& sample) {
     }
     pairs.tested = pairs_tested(sample);
     const std::vector<std::uint32_t> cells = cells_of_balls(sample);
-    const auto hidden = std::ranges::stable_partition(
-        pairs.found, [&](const Pair& p) { return next_to_each_other(sample.grid, cells[p.a], cells[p.b]); });
-    pairs.missed.assign(hidden.begin(), hidden.end());
-    pairs.found.erase(hidden.begin(), hidden.end());
+    const auto hidden = std::stable_partition(pairs.found.begin(), pairs.found.end(), [&](const Pair& p) {
+        return next_to_each_other(sample.grid, cells[p.a], cells[p.b]);
+    });
+    pairs.missed.assign(hidden, pairs.found.end());
+    pairs.found.erase(hidden, pairs.found.end());
     return pairs;
 }
 

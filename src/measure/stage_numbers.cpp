@@ -24,7 +24,7 @@ AssignNumbers assign_numbers(const Schedule& schedule, std::span<const Key> keys
         }
     }
     std::ranges::sort(cells);
-    numbers.occupied = static_cast<std::uint32_t>(std::ranges::unique(cells).begin() - cells.begin());
+    numbers.occupied = static_cast<std::uint32_t>(std::unique(cells.begin(), cells.end()) - cells.begin());
     numbers.outside = static_cast<std::uint32_t>(std::ranges::count_if(positions, [&](const vec4& p) {
         const vec3 distance = glm::abs(vec3(p));
         return !(distance.x <= half_extent.x && distance.y <= half_extent.y && distance.z <= half_extent.z);
