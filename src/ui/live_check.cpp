@@ -50,11 +50,17 @@ Badge stage_badge(const LiveCheckState& state, Stage stage) {
     if (state.mode == LiveCheckMode::off || !check.ran) {
         return {};
     }
+    const bool follows = red_before(state, stage);
+    if (beyond(check) && follows) {
+        return {Badge::Kind::not_judged,
+                grouped(check.beyond_bound) + (check.beyond_bound == 1 ? " differs" : " differ"),
+                "An earlier stage is red: what is wrong there may show here, too. " + sentence(check)};
+    }
     if (beyond(check)) {
         return {Badge::Kind::differs, grouped(check.beyond_bound) + (check.beyond_bound == 1 ? " differs" : " differ"),
                 sentence(check)};
     }
-    if (check.violation && red_before(state, stage)) {
+    if (check.violation && follows) {
         return {Badge::Kind::not_judged, "not judged", "An earlier stage left something broken for this one to read."};
     }
     if (check.violation) {

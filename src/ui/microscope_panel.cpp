@@ -207,6 +207,13 @@ void all_view(const Scope& scope) {
     const auto cells = static_cast<float>(std::max(scope.stepping.schedule->cell_count, 1u));
     const auto columns = static_cast<std::size_t>(scope.width);
     constexpr std::size_t most_samples = 64;
+    float padding = FLT_MAX;  // where a run of columns with nothing but padding begins
+    const auto end_padding = [&](float x) {
+        if (padding < x) {
+            hatch(ImVec2(padding, low.y), ImVec2(x, low.y + height));
+        }
+        padding = FLT_MAX;
+    };
     for (std::size_t column = 0; column < columns; ++column) {
         const std::size_t first = column * scope.keys.size() / columns;
         const std::size_t last = std::max(first + 1, (column + 1) * scope.keys.size() / columns);
@@ -224,17 +231,16 @@ void all_view(const Scope& scope) {
         }
         const float x = low.x + static_cast<float>(column);
         if (least == SENTINEL) {
+            padding = std::min(padding, x);
             continue;
         }
+        end_padding(x);
         const float top = low.y + height * (1.0f - static_cast<float>(most + 1) / cells);
         const float bottom = low.y + height * (1.0f - static_cast<float>(least) / cells);
         canvas().AddRectFilled(ImVec2(x, top - 0.5f), ImVec2(x + 1.0f, std::max(bottom, top + 1.5f)),
                                packed(scope.state.which_colour(ball)));
     }
-    const auto balls = static_cast<float>(scope.stepping.schedule->ball_count);
-    if (scope.keys.back().cell_id == SENTINEL && balls < count) {
-        hatch(ImVec2(slot_x(balls), low.y), ImVec2(low.x + scope.width, low.y + height));
-    }
+    end_padding(low.x + scope.width);
     ImGui::InvisibleButton("all", ImVec2(scope.width, height));
     if (ImGui::IsItemHovered()) {
         const float share = std::clamp((ImGui::GetIO().MousePos.x - low.x) / scope.width, 0.0f, 0.99999f);

@@ -282,7 +282,7 @@ void check_choice(const Strip& strip) {
     const LiveCheckState& check = strip.stepping.check;
     text("Check");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(10.5f * em());
+    ImGui::SetNextItemWidth(11.5f * em());
     const auto chosen = static_cast<std::size_t>(check.mode);
     if (ImGui::BeginCombo("##check", live_check_names[chosen].data())) {
         if (strip.state.close_popups) {
@@ -303,9 +303,11 @@ void check_choice(const Strip& strip) {
     if (check.mode == LiveCheckMode::off) {
         dim_text(key_hint(Action::toggle_live_check));
     } else if (check.mode == LiveCheckMode::mirror && check.mirror_computes) {
-        dim_text("the mirror computes: nothing to compare");
+        dim_text("the mirror computes");
+        tooltip("The mirror is what computes: there is nothing to compare it with. The invariants are checked.");
     } else {
-        dim_text(format("%.1f ms a substep", check.ms));
+        dim_text(format("%.1f ms", check.ms));
+        tooltip("What the check of a substep takes, the substep itself included.");
     }
 }
 

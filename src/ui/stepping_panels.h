@@ -19,6 +19,8 @@ void differences_panel(const State& state, Commands& commands);
 void draw_stepping_windows(const State& state, Commands& commands);
 /// Pixels that the strip takes at the bottom of the window; 0 while it is closed.
 float strip_height(const State& state);
+/// The same for the strip and the microscope above it, where they stand when they open.
+float covered_height(const State& state);
 
 /// A shape and words: a meaning that no eye misses.
 std::string badge_text(const Badge& badge);

@@ -14,6 +14,8 @@ constexpr ImGuiWindowFlags movable = ImGuiWindowFlags_NoSavedSettings | ImGuiWin
 constexpr ImGuiWindowFlags fixed = movable | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize;
 
+constexpr float microscope_height = 19.5f;  // em
+
 float margin() { return 0.6f * em(); }
 
 bool has_alarm(const LiveCheckState& check) {
@@ -51,6 +53,7 @@ bool tool_window(const State& state, const char* title, float height, float abov
     ImGui::SetNextWindowPos(ImVec2(margin(), bottom), ImGuiCond_Appearing, ImVec2(0.0f, 1.0f));
     ImGui::SetNextWindowSize(ImVec2(width, std::min(height, bottom - margin())), ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(24.0f * em(), 8.0f * em()), ImVec2(FLT_MAX, FLT_MAX));
+    ImGui::SetNextWindowBgAlpha(0.97f);  // numbers and thin lines stand in it
     bool open = true;
     if (ImGui::Begin(title, &open, movable)) {
         content();
@@ -77,6 +80,11 @@ float strip_height(const State& state) {
     return height + margin();
 }
 
+float covered_height(const State& state) {
+    const bool microscope = state.view.microscope && state.stepping != nullptr;
+    return strip_height(state) + (microscope ? microscope_height * em() + margin() : 0.0f);
+}
+
 void draw_stepping_windows(const State& state, Commands& commands) {
     if (state.stepping == nullptr) {
         return;
@@ -85,8 +93,8 @@ void draw_stepping_windows(const State& state, Commands& commands) {
         strip_window(state, commands);
     }
     const float strip = strip_height(state);
-    if (state.view.microscope &&
-        !tool_window(state, "Bitonic sort", 19.5f * em(), strip, [&] { microscope_panel(state, commands); })) {
+    if (state.view.microscope && !tool_window(state, "Bitonic sort", microscope_height * em(), strip,
+                                              [&] { microscope_panel(state, commands); })) {
         commands.push_back(Action::toggle_microscope);
     }
     if (state.stepping->check.shown &&

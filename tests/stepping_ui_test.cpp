@@ -1,0 +1,390 @@
+// Strip, microscope and badges without a window: where marks lie, what sentences say, and what a click asks for.
+#include <set>
+#include <variant>
+
+#include "cpu/cpu_backend.h"
+#include "measure/sort_pass.h"
+#include "support/catch.h"
+#include "support/headless_gui.h"
+#include "support/scenes.h"
+#include "ui/microscope.h"
+#include "ui/stage_sentence.h"
+#include "ui/stepping_panels.h"
+#include "ui/strip_layout.h"
+
+using namespace ballpit;
+
+namespace {
+
+bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+Features contacts() {
+    Features features;
+    features.add(Feature::contact);
+    return features;
+}
+
+Schedule schedule_of(std::uint32_t balls) {
+    const Grid grid = make_grid(dvec3(4.0), 0.2, 1.0, balls);
+    return make_schedule(balls, grid, contacts(), SortMethod::bitonic);
+}
+
+vec3 grey(std::uint32_t) { return vec3(0.5f); }
+vec3 grey_amount(float amount) { return vec3(amount); }
+
+// A state with the strip open, at a place.
+struct Stage1 {
+    Schedule schedule = schedule_of(200);
+    ui::SteppingState stepping;
+    ui::Inspection inspection;
+    std::vector<Key> keys;
+    std::vector<Key> before;
+    std::array<ui::SceneChoice, 1> scenes{{{"Rain", "Balls fall."}}};
+    ui::State state;
+
+    explicit Stage1(std::uint32_t ran) {
+        stepping.schedule = &schedule;
+        stepping.substeps = 4;
+        stepping.place = {{11, 1}, ran};
+        stepping.furthest_step = 20;
+        stepping.hash_step = 11;
+        stepping.checkpoint_budget = std::size_t{256} << 20;
+        state.scenes = scenes;
+        state.amount_colour = grey_amount;
+        state.which_colour = grey;
+        state.stepping = &stepping;
+        state.inspection = &inspection;
+        state.view.stepper = true;
+        for (std::uint32_t i = 0; i < schedule.key_count; ++i) {
+            const std::uint32_t cell = (i * 37) % 200;
+            before.push_back(i < 200 ? Key{cell, i} : Key{SENTINEL, SENTINEL});
+        }
+        keys = before;
+        inspection.slots[static_cast<std::size_t>(Slot::keys)].bytes = std::as_bytes(std::span(keys));
+        inspection.keys_before = std::as_bytes(std::span(before));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("sentences give this frame's numbers", "[stepping-ui]") {
+    CHECK(ui::stage_sentence({}).empty());
+    CHECK(ui::stage_sentence(measure::SortNumbers{17, 91, 32, 4, 4096, 1203}) ==
+          "Sort pass 17 of 91: k = 32, j = 4; 1\u2009203 of 4\u2009096 pairs swapped.");
+    CHECK(ui::stage_sentence(measure::SortNumbers{1, 1, 2, 1, 1, 0}) ==
+          "Sort pass 1 of 1: k = 2, j = 1; 0 of 1 pair swapped.");
+    CHECK(ui::stage_sentence(measure::SortNumbers{1, 1, 2, 1, 1, std::nullopt}) == "Sort pass 1 of 1: k = 2, j = 1.");
+    CHECK(ui::stage_sentence(measure::AssignNumbers{5000, 13671, 4394, 3192, 2}) ==
+          "Cells assigned: 5\u2009000 balls lie in 4\u2009394 of 13\u2009671 cells; 2 outside the box; "
+          "3\u2009192 keys pad to a power of two.");
+    CHECK(contains(ui::stage_sentence(measure::AssignNumbers{1, 8, 1, 0, 0}),
+                   "1 ball lies in 1 of 8 cells, none outside"));
+    CHECK(ui::stage_sentence(measure::ClearNumbers{8}) == "Cell table emptied: 8 cells hold no slots now.");
+    CHECK(ui::stage_sentence(measure::BuildNumbers{3, 8, 5, 2}) ==
+          "Grid built: 3 of 8 cells occupied; the fullest, cell 5, holds 2 balls.");
+    CHECK(ui::stage_sentence(measure::CollideNumbers{12, 0.0032f, 73, 4.125f, 0}) ==
+          "Balls moved: 12 contacts, largest overlap 3.2 mm; fastest: ball 73 at 4.12 m/s.");
+    CHECK(contains(ui::stage_sentence(measure::CollideNumbers{std::nullopt, 0.0f, 0, 1.0f, 3}),
+                   "3 without a number for a speed"));
+    CHECK(ui::length_text(2.0) == "2 m");
+    CHECK(ui::length_text(12e-6) == "12 µm");
+}
+
+TEST_CASE("the numbers are those of the buffers", "[stepping-ui]") {
+    const Scene scene = test::shipped_scene("rain");
+    Settings settings = scene.settings;
+    settings.balls = 300;
+    Simulation simulation(scene, settings, 1, std::make_unique<cpu::CpuBackend<float>>());
+    const Schedule schedule =
+        make_schedule(300, simulation.schedule().grid, simulation.features(), SortMethod::bitonic);
+    Backend& backend = simulation.backend();
+    backend.run(schedule, simulation.params(), 0, 1);
+    auto keys = read_slot<Key>(backend, Slot::keys);
+    const auto positions = read_slot<vec4>(backend, Slot::positions);
+    const auto assigned = measure::assign_numbers(schedule, keys, positions, vec3(simulation.half_extent()));
+    CHECK(assigned.balls == 300);
+    CHECK(assigned.padding == 512 - 300);
+    CHECK(assigned.outside == 0);
+    CHECK(measure::assign_numbers(schedule, keys, positions, vec3(0.0f)).outside == 300);
+    for (std::size_t i = 1; schedule.dispatches[i].stage == Stage::bitonic_sort; ++i) {
+        const auto before = read_slot<Key>(backend, Slot::keys);
+        backend.run(schedule, simulation.params(), i, i + 1);
+        const auto after = read_slot<Key>(backend, Slot::keys);
+        const auto numbers = measure::sort_numbers(schedule, schedule.dispatches[i], before);
+        CHECK(numbers.pass == i);
+        CHECK(numbers.passes == 45);
+        CHECK(numbers.pairs == 256);
+        std::uint32_t moved = 0;
+        for (std::size_t slot = 0; slot < before.size(); ++slot) {
+            moved += before[slot] == after[slot] ? 0 : 1;
+        }
+        CHECK(numbers.swapped == moved / 2);
+    }
+    backend.run(schedule, simulation.params(), 46, 48);
+    const auto built = measure::build_numbers(read_slot<CellRange>(backend, Slot::cell_ranges));
+    CHECK(built.occupied == assigned.occupied);
+    CHECK(built.cells == schedule.cell_count);
+    CHECK(built.most >= 1);
+    backend.run(schedule, simulation.params(), 48, 49);
+    const auto moved = measure::collide_numbers(positions, read_slot<vec4>(backend, Slot::next_velocities));
+    CHECK(moved.contacts.has_value());
+    CHECK(moved.fastest.has_value());
+    CHECK(moved.top_speed > 0.0f);
+    CHECK(moved.not_finite == 0);
+}
+
+TEST_CASE("chips follow the schedule, and every dispatch has a mark that is found again", "[stepping-ui]") {
+    for (const std::uint32_t balls : {1u, 2u, 200u, 5000u, 100000u}) {
+        const Schedule schedule = schedule_of(balls);
+        const auto chips = ui::stage_chips(schedule, 880.0f, 10.0f);
+        REQUIRE(chips.size() == (balls == 1 ? 3u : 4u));  // one key needs no sort
+        CHECK(chips.front().left == 0.0f);
+        CHECK(chips.back().right == Approx(880.0f));
+        std::uint32_t next = 0;
+        for (const ui::StripChip& chip : chips) {
+            CHECK(chip.first == next);
+            next = chip.last;
+            CHECK(chip.right - chip.left >= 100.0f);  // room for its name
+            for (std::uint32_t dispatch = chip.first; dispatch < chip.last; ++dispatch) {
+                const ui::StripMark mark = ui::mark_of(chip, dispatch);
+                CHECK(ui::dispatch_at(chip, 0.5f * (mark.left + mark.right)) == dispatch);
+            }
+            CHECK_FALSE(ui::dispatch_at(chip, chip.left - 1.0f));
+            CHECK_FALSE(ui::dispatch_at(chip, chip.right + 1.0f));
+        }
+        CHECK(next == schedule.dispatches.size());
+    }
+    CHECK(ui::stage_chips(schedule_of(0), 880.0f, 10.0f).empty());
+}
+
+TEST_CASE("with many substeps the strip shows those around the present one", "[stepping-ui]") {
+    CHECK(ui::substep_blocks(8, 3, 880.0f, 14.0f).size() == 8);
+    for (const std::uint32_t shown : {0u, 5u, 511u, 1023u}) {
+        const auto blocks = ui::substep_blocks(1024, shown, 880.0f, 14.0f);
+        CHECK(blocks.size() == 62);
+        CHECK(blocks.front().substep <= shown);
+        CHECK(blocks.back().substep >= shown);
+        CHECK(blocks.back().substep < 1024);
+        CHECK(blocks.back().right == Approx(880.0f));
+    }
+}
+
+TEST_CASE("a window of the microscope holds both partners of every pair", "[stepping-ui]") {
+    for (const std::uint32_t keys : {1u, 16u, 64u, 8192u}) {
+        for (const std::uint32_t wanted : {16u, 64u}) {
+            for (std::uint32_t j = 1; j < keys; j *= 2) {
+                for (const std::uint32_t first : {0u, 17u, 4100u, 8191u}) {
+                    const ui::SlotWindow window = ui::slot_window(keys, wanted, first, j);
+                    CHECK(window.slots.size() == std::min(keys, wanted));
+                    const std::set<std::uint32_t> shown(window.slots.begin(), window.slots.end());
+                    CHECK(shown.size() == window.slots.size());
+                    CHECK(*shown.rbegin() < keys);
+                    for (const std::uint32_t slot : window.slots) {
+                        CHECK(shown.count(slot ^ j) == 1);
+                    }
+                    CHECK((window.split > 0) == (keys > wanted && j >= wanted));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("a slot's story says thread, partner, direction and why, and whether it was swapped", "[stepping-ui]") {
+    const std::vector<Key> before = {{5, 0}, {3, 1}, {1, 2}, {2, 3}};
+    const std::vector<Key> after = {{3, 1}, {5, 0}, {2, 3}, {1, 2}};
+    const ui::ShownPass pass{2, 1};
+    const std::string first = ui::slot_story(1, pass, after, before);
+    CHECK(contains(first, "Slot 1: cell 5, ball 0"));
+    CHECK(contains(first, "Thread 0 compares it with slot 1 XOR 1 = 0."));
+    CHECK(contains(first, "Ascending: bit k = 2 of slot 0 is 0, so the larger key belongs to slot 1."));
+    CHECK(contains(first, "Swapped: before, it held cell 3, ball 1."));
+    const std::string second = ui::slot_story(2, pass, after, before);
+    CHECK(contains(second, "Thread 1"));
+    CHECK(contains(second, "Descending: bit k = 2 of slot 2 is 1, so the larger key belongs to slot 2."));
+    CHECK(ui::slot_story(0, std::nullopt, after, before) == "Slot 0: cell 3, ball 1");
+    CHECK(contains(ui::slot_story(0, pass, std::vector<Key>(4, {SENTINEL, SENTINEL}), before), "padding"));
+}
+
+TEST_CASE("badges: green, amber, red, and what follows a red one is not judged", "[stepping-ui]") {
+    using Kind = ui::Badge::Kind;
+    ui::LiveCheckState check;
+    const auto kind = [&](Stage stage) { return ui::stage_badge(check, stage).kind; };
+    CHECK(kind(Stage::collide) == Kind::none);
+    check.mode = ui::LiveCheckMode::mirror;
+    CHECK(kind(Stage::collide) == Kind::none);  // has not run
+    for (ui::StageCheck& stage : check.stages) {
+        stage = {true, true, 8192, 0, 0, 0, 0.0, "", {}, {}};
+    }
+    CHECK(ui::stage_badge(check, Stage::bitonic_sort).text == "0 of 8\u2009192 differ");
+    ui::StageCheck& collide = check.stages[3];
+    collide.differing = 12;
+    collide.max_ulp = 2;
+    collide.of_bound = 0.25;
+    collide.first = "collide, ball 3: GPU 1, CPU 2";
+    const ui::Badge amber = ui::stage_badge(check, Stage::collide);
+    CHECK(amber.kind == Kind::within);
+    CHECK(amber.text == "max 2 ULP");
+    CHECK(contains(amber.detail, "25 %"));
+    ui::StageCheck& assign = check.stages[0];
+    assign.differing = assign.beyond_bound = 3117;
+    assign.first = "assign_cells, slot 12: GPU 0, CPU 61204";
+    const ui::Badge red = ui::stage_badge(check, Stage::assign_cells);
+    CHECK(red.kind == Kind::differs);
+    CHECK(red.text == "3\u2009117 differ");
+    CHECK(red.detail == "3\u2009117 differ, first: assign_cells, slot 12: GPU 0, CPU 61204.");
+    collide.beyond_bound = 1;
+    CHECK(kind(Stage::collide) == Kind::not_judged);
+    check.stages[1].violation = "slot 3 holds nothing";
+    CHECK(kind(Stage::bitonic_sort) == Kind::not_judged);
+    assign.beyond_bound = assign.differing = 0;
+    CHECK(kind(Stage::bitonic_sort) == Kind::differs);
+    CHECK(contains(ui::stage_badge(check, Stage::bitonic_sort).detail, "sorted, a permutation"));
+    check.mode = ui::LiveCheckMode::off;
+    CHECK(kind(Stage::assign_cells) == Kind::none);
+}
+
+TEST_CASE("the strip tells where the run stands, and in red where a replay differed", "[stepping-ui]") {
+    test::HeadlessGui gui;
+    Stage1 stage(5);
+    const auto text = [&] {
+        return gui.text([&] {
+            ImGui::Dummy(ImVec2(880.0f, 1.0f));
+            ui::Commands commands;
+            ui::stepper_strip(stage.state, commands);
+        });
+    };
+    CHECK(contains(text(), "Step 12, substep 2 of 4, dispatch 5 of 40"));
+    CHECK(contains(text(), "on its way"));
+    stage.stepping.hash = 0x0123456789ABCDEFull;
+    stage.stepping.check.mode = ui::LiveCheckMode::mirror;
+    stage.stepping.check.ms = 12.5;
+    CHECK(contains(text(), "0123456789abcdef"));
+    CHECK(contains(text(), "12.5 ms"));
+    stage.stepping.check.mirror_computes = true;
+    CHECK(contains(text(), "the mirror computes"));
+}
+
+TEST_CASE("clicks on the strip lead to every dispatch, substep, unit and direction", "[stepping-ui]") {
+    test::HeadlessGui gui;
+    Stage1 stage(5);
+    stage.stepping.check.mode = ui::LiveCheckMode::mirror;
+    stage.state.view.panels = false;
+    std::set<std::uint32_t> dispatches;
+    std::set<std::uint32_t> substeps;
+    std::set<ui::Action> actions;
+    std::set<StepUnit> units;
+    std::set<Stage> differences;
+    const float top = 720.0f - ui::font_height * 14.0f;
+    for (float y = top; y < 712.0f; y += 5.0f) {
+        for (float x = 12.0f; x < 1270.0f; x += 7.0f) {
+            for (const ui::Command& command : gui.click(stage.state, x, y)) {
+                if (const auto* go = std::get_if<ui::GoTo>(&command)) {
+                    CHECK(go->place.ran <= stage.schedule.dispatches.size());
+                    CHECK(go->place.substep.step <= stage.stepping.furthest_step);
+                    if (go->place.substep == stage.stepping.place.substep) {
+                        dispatches.insert(go->place.ran);
+                    }
+                    substeps.insert(go->place.substep.substep);
+                } else if (const auto* action = std::get_if<ui::Action>(&command)) {
+                    actions.insert(*action);
+                } else if (const auto* unit = std::get_if<ui::ChooseUnit>(&command)) {
+                    units.insert(unit->unit);
+                } else if (const auto* shown = std::get_if<ui::ShowDifferences>(&command)) {
+                    differences.insert(*shown->stage);
+                }
+            }
+        }
+    }
+    CHECK(dispatches.size() >= stage.schedule.dispatches.size());
+    CHECK(substeps == std::set<std::uint32_t>{0, 1, 2, 3});
+    CHECK(units.size() == 4);
+    CHECK(differences.size() == 4);
+    using ui::Action;
+    CHECK(actions == std::set<Action>{Action::forward, Action::back, Action::step_start, Action::step_end});
+}
+
+TEST_CASE("clicks in the microscope select balls and go to passes", "[stepping-ui]") {
+    test::HeadlessGui gui;
+    for (const std::uint32_t slots : {16u, 64u, 0u}) {
+        Stage1 stage(5);
+        stage.state.view.stepper = false;
+        stage.state.view.microscope = true;
+        stage.state.view.microscope_options.slots = slots;
+        stage.state.view.panels = false;
+        std::set<std::uint32_t> balls;
+        std::set<std::uint32_t> passes;
+        for (float y = 390.0f; y < 712.0f; y += 9.0f) {
+            for (float x = 14.0f; x < 1266.0f; x += 11.0f) {
+                for (const ui::Command& command : gui.click(stage.state, x, y)) {
+                    if (const auto* select = std::get_if<ui::SelectBall>(&command)) {
+                        CHECK(select->fly);
+                        CHECK(select->ball.value_or(SENTINEL) < 200);
+                        balls.insert(select->ball.value_or(SENTINEL));
+                    } else if (const auto* go = std::get_if<ui::GoTo>(&command)) {
+                        passes.insert(go->place.ran);
+                    }
+                }
+            }
+        }
+        CAPTURE(slots);
+        CHECK(balls.size() >= (slots == 0 ? 60u : slots));
+        CHECK(passes.size() == measure::pass_count(stage.schedule.key_count));
+    }
+}
+
+TEST_CASE("every view can be open at once, at every place, and with no balls", "[stepping-ui]") {
+    test::HeadlessGui gui;
+    for (const std::uint32_t balls : {0u, 1u, 3u, 200u}) {
+        Stage1 stage(0);
+        stage.schedule = schedule_of(balls);
+        stage.state.view.microscope = true;
+        stage.stepping.check.mode = ui::LiveCheckMode::mirror;
+        stage.stepping.check.shown = Stage::assign_cells;
+        stage.stepping.divergence = Divergence{412, 73};
+        stage.keys.assign(stage.schedule.key_count, Key{0, 0});
+        stage.before = stage.keys;
+        stage.inspection.slots[static_cast<std::size_t>(Slot::keys)].bytes = std::as_bytes(std::span(stage.keys));
+        stage.inspection.keys_before = std::as_bytes(std::span(stage.before));
+        for (std::uint32_t ran = 0; ran <= stage.schedule.dispatches.size(); ++ran) {
+            stage.stepping.place.ran = ran;
+            CHECK(gui.frame(stage.state).empty());
+            CHECK(gui.shows("stepper"));
+            CHECK(gui.shows("Bitonic sort"));
+            CHECK(gui.shows("Differences"));
+        }
+    }
+}
+
+TEST_CASE("differences: GPU, CPU and how far apart; a click shows the ball", "[stepping-ui]") {
+    test::HeadlessGui gui;
+    Stage1 stage(1);
+    const std::vector<Key> gpu = {{0, 0}, {7, 1}, {9, 2}};
+    const std::vector<Key> cpu = {{0, 0}, {61204, 1}, {9, 2}};
+    const std::vector<std::uint32_t> differing = {1};
+    ui::LiveCheckState& check = stage.stepping.check;
+    check.mode = ui::LiveCheckMode::mirror;
+    check.shown = Stage::assign_cells;
+    check.stages[0] = {true, true, 3, 1, 1, 0, 0.0, "assign_cells, slot 1: GPU (7, 1), CPU (61204, 1)", {}, {}};
+    check.stages[0].differences.push_back(
+        {Slot::keys, "assign_cells", std::as_bytes(std::span(gpu)), std::as_bytes(std::span(cpu)), differing});
+    const std::string text = gui.text([&] {
+        ui::Commands commands;
+        ui::differences_panel(stage.state, commands);
+    });
+    for (const char* part : {"GPU", "CPU", "61204", "-61197", "■ 1 differs"}) {
+        INFO(part << " in " << text);
+        CHECK(contains(text, part));
+    }
+    std::set<std::uint32_t> balls;
+    bool closed = false;
+    for (float y = 300.0f; y < 560.0f; y += 6.0f) {
+        for (const ui::Command& command : gui.click(stage.state, 40.0f, y)) {
+            if (const auto* select = std::get_if<ui::SelectBall>(&command)) {
+                balls.insert(select->ball.value_or(SENTINEL));
+            }
+            closed = closed || std::holds_alternative<ui::ShowDifferences>(command);
+        }
+    }
+    CHECK(balls == std::set<std::uint32_t>{1});
+    CHECK(closed);
+}
