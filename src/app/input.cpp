@@ -47,6 +47,35 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
             return Action::toggle_stepper;
         case SDLK_m:
             return Action::toggle_microscope;
+        case SDLK_k:
+            return Action::toggle_live_check;
+        case SDLK_j:
+            return Action::show_differences;
+        case SDLK_f:
+            return Action::toggle_follow;
+        case SDLK_c:
+            return Action::toggle_cells;
+        case SDLK_b:
+            return (key.mod & KMOD_SHIFT) != 0 ? Action::next_slot : Action::toggle_buffers;
+        case SDLK_x:
+            return Action::toggle_split;
+        case SDLK_n:
+            return Action::toggle_contacts;
+        case SDLK_v:
+            return Action::toggle_arrows;
+        case SDLK_l:
+            return (key.mod & KMOD_SHIFT) != 0 ? Action::slice_axis : Action::toggle_slice;
+        case SDLK_UP:
+            return Action::layer_up;
+        case SDLK_DOWN:
+            return Action::layer_down;
+        case SDLK_PERIOD:
+            return Action::next_ball;
+        case SDLK_COMMA:
+            return Action::previous_ball;
+        case SDLK_DELETE:
+        case SDLK_BACKSPACE:
+            return Action::clear_selection;
         case SDLK_F3:
             return Action::toggle_timings;
         case SDLK_TAB:
@@ -95,7 +124,8 @@ std::optional<Action> control_action(const SDL_Keysym& key) {
 
 bool repeats(std::optional<Action> action) {
     return action == Action::one_step || action == Action::forward || action == Action::back ||
-           action == Action::forward_coarser || action == Action::back_coarser;
+           action == Action::forward_coarser || action == Action::back_coarser || action == Action::next_ball ||
+           action == Action::previous_ball || action == Action::layer_up || action == Action::layer_down;
 }
 
 bool held(SDL_Keycode key) {

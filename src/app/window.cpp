@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -12,15 +13,19 @@
 #include "app/input.h"
 #include "app/window_gui.h"
 #include "app/window_inspector.h"
+#include "app/window_live_check.h"
 #include "app/window_monitor.h"
 #include "app/window_overlay.h"
 #include "app/window_picture.h"
 #include "app/window_session.h"
+#include "app/window_stage_numbers.h"
 #include "app/window_timings.h"
+#include "app/window_views.h"
 #include "core/error.h"
 #include "gl/context.h"
 #include "gl/timer.h"
 #include "ui/panels.h"
+#include "ui/stepping_panels.h"
 #include "view/palette.h"
 #include "view/picking.h"
 
@@ -78,8 +83,13 @@ private:
     void look_inside(double now_s);
     void fly_to_selected_ball();
     void choose_unit(StepUnit unit);
+    void toggle_live_check();
+    void show_next_differences();
     void move_camera(float seconds);
     void send_camera_home();
+    static view::vec2 to_free_middle(const WindowExtent& window);
+    bool home_has_moved() const;
+    WindowExtent extent() const;
     void update_title();
 
     void carry_out(const ui::Commands& commands);
@@ -88,7 +98,7 @@ private:
 
     // One for each command; std::visit picks.
     void act(ui::Action action);
-    void act(const ui::ChangeSettings& command) { session_.want(command.settings); }
+    void act(const ui::ChangeSettings& command);
     void act(const ui::ChooseScene& command) { session_.choose_scene(command.index); }
     void act(const ui::ChooseBackend& command) { session_.choose_backend(command.choice); }
     void act(const ui::ChangeSpeed& command) { speed_ = command.speed; }
@@ -102,8 +112,14 @@ private:
     void act(const ui::StepBack& command);
     void act(const ui::GoTo& command);
     void act(const ui::SetCheckpointBudget& command) { session_.stepper().set_budget(command.bytes); }
+    void act(const ui::SetLiveCheck& command) { live_check_.set_mode(command.mode); }
+    void act(const ui::ShowDifferences& command) { live_check_.show(command.stage); }
     void act(const ui::SelectBall& command);
-    void act(const ui::SelectCell& command) { inspection_.cell = command.cell; }
+    void act(const ui::SelectCell& command) { views_.select_cell(command.cell, inspection_); }
+    void act(const ui::SelectCellOfBall& command) { views_.select_cell_of_ball(command.ball, inspection_); }
+    void act(const ui::ChangeProbe& command) { views_.act(command); }
+    void act(const ui::ShowElement& command) { views_.act(command); }
+    void act(const ui::ExportSlot& command) { views_.export_slot(command.slot, inspector_, session_); }
 
     gl::Context context_;
     Gui gui_;
@@ -117,6 +133,10 @@ private:
     gl::SpanTimer draw_timer_;
 
     Inspector inspector_;
+    Views views_;
+    ui::ProbeState probe_;
+    LiveCheck live_check_{session_};
+    StageNumbersReader stage_numbers_;
     ui::SteppingState stepping_;
     ui::Inspection inspection_;
     view::Overlay overlay_;
@@ -140,6 +160,9 @@ private:
 
     bool quit_ = false;
     bool camera_to_home_ = true;
+    bool was_split_ = false;
+    view::Camera home_;
+    WindowExtent home_extent_;
     int scene_changes_ = 0;
     int settling_ = settling_frames;
     SteadyClock::time_point start_ = SteadyClock::now();
@@ -173,7 +196,8 @@ bool Window::hidden() const {
 // A window that nobody sees, or in which nothing moves, must not heat the room.
 void Window::wait_for_events() {
     const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
-                       !inspector_.waiting() && !flight_ && !input_.active(gui_.typing()) && !blinks(overlay_);
+                       !inspector_.waiting() && !views_.working() && !flight_ && !input_.active(gui_.typing()) &&
+                       !blinks(overlay_);
     if (!hidden() && !still) {
         return;
     }
@@ -206,14 +230,14 @@ void Window::frame() {
     frame_start_ = now;
 
     session_.apply(gui_.holding());
-    if (view_.occupancy) {
+    if (view_.occupancy || views_.needs_cells(view_, inspection_)) {
         session_.prepare_cells();
     }
     const int steps = advance(busy_s);
     look_inside(seconds_between(start_, now));
     measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
-    if (std::string message = session_.take_message(); !message.empty()) {
-        message_ = std::move(message);
+    for (std::string message : {views_.take_message(), session_.take_message()}) {
+        message_ = message.empty() ? std::move(message_) : std::move(message);
     }
 
     gui_.begin_frame(text_size_);
@@ -247,22 +271,37 @@ int Window::advance(double wall_s) {
 // What panels want to know of the buffers: see Inspector. A panel that is closed wants nothing.
 void Window::look_inside(double now_s) {
     session_.update();
-    Monitor::ask(inspector_, view_.occupancy);
+    Monitor::ask(inspector_, view_.occupancy || views_.shows_slice());
+    views_.want(inspector_, view_, inspection_);
     if (view_.microscope) {
         inspector_.want(Slot::keys);
         inspector_.want_keys_before();
+    }
+    session_.describe(stepping_);
+    const bool with_numbers = view_.stepper && !clock_.running();
+    if (with_numbers) {
+        StageNumbersReader::ask(inspector_, stepping_);
     }
     if (flight_wanted_) {
         inspector_.want(Slot::positions);
     }
     inspector_.update(session_, clock_.running(), now_s);
     monitor_.update(inspector_, session_.simulation().schedule().ball_count);
-    session_.describe(stepping_);
+    if (with_numbers) {
+        stepping_.numbers =
+            stage_numbers_.read(inspector_, stepping_, vec3(session_.simulation().half_extent()), session_.revision());
+    }
+    live_check_.describe(stepping_.check);
+    for (std::size_t i = 0; i < stage_count; ++i) {
+        stepping_.stage_colours[i] = view::categorical(static_cast<std::uint32_t>(i));
+    }
     inspector_.describe(inspection_, now_s);
     if (flight_wanted_) {
         fly_to_selected_ball();
     }
+    views_.update(session_, inspector_, inspection_, view_, clock_.running(), now_s);
     overlay_ = make_overlay(inspection_);
+    views_.add_to(overlay_, inspection_, session_);
 }
 
 void Window::fly_to_selected_ball() {
@@ -273,7 +312,12 @@ void Window::fly_to_selected_ball() {
     flight_wanted_ = false;
     if (inspection_.ball && *inspection_.ball < positions.size()) {
         const vec4& ball = positions[*inspection_.ball];
-        flight_ = Flight{camera_, view::fly_to(camera_, vec3(ball), ball.w), 0.0};
+        view::Camera there = view::fly_to(camera_, vec3(ball), ball.w);
+        const float ahead = glm::dot(vec3(ball) - there.position, view::forward(there));
+        const view::vec2 aside = 2.0f * std::tan(0.5f * there.field_of_view) * ahead *
+                                 (views_.split() ? view::vec2(0.0f) : to_free_middle(extent()));
+        there.position += aside.y * view::up(there) - aside.x * view::right(there);
+        flight_ = Flight{camera_, there, 0.0};
     }
 }
 
@@ -284,8 +328,14 @@ void Window::draw() {
     if (view_.timings) {
         draw_timer_.begin();
     }
-    picture_.draw(session_.simulation(), view_, camera_, light_, overlay_, monitor_.top_count(),
-                  static_cast<float>(seconds_between(start_, frame_start_)), width, height);
+    PictureOptions options;
+    options.view = view_;
+    options.camera = camera_;
+    options.light = light_;
+    options.overlay = &overlay_;
+    options.top_count = monitor_.top_count();
+    options.time_s = static_cast<float>(seconds_between(start_, frame_start_));
+    views_.draw(picture_, session_, options, extent(), width, height);
     if (view_.timings) {
         draw_timer_.mark(0);
     }
@@ -298,8 +348,10 @@ void Window::draw() {
 
 void Window::measure_times(double busy_s, double wall_s, double simulated_s) {
     Backend& backend = session_.simulation().backend();
-    backend.set_timing(view_.timings);
-    timings_.add_substeps(backend.take_times());
+    backend.set_timing(view_.timings || views_.split());
+    const std::vector<StageTimes> times = backend.take_times();
+    timings_.add_substeps(times);
+    views_.add_grid_times(times);
     for (const gl::SpanTimer::Span& span : draw_timer_.take()) {
         timings_.add_frame(span[0].ms, span[1].ms);
     }
@@ -315,6 +367,8 @@ void Window::move_camera(float seconds) {
         inspection_.cell.reset();
         camera_to_home_ = true;
     }
+    camera_to_home_ =
+        camera_to_home_ || std::exchange(was_split_, views_.split()) != views_.split() || home_has_moved();
     if (std::exchange(camera_to_home_, false)) {
         send_camera_home();
     }
@@ -328,19 +382,49 @@ void Window::move_camera(float seconds) {
     }
     camera_ =
         input_.moved(camera_, vec3(session_.simulation().half_extent()), seconds, gui_.typing(), gui_.over_panel());
+    if (const auto click = input_.take_click()) {
+        const bool control = (SDL_GetModState() & KMOD_CTRL) != 0;
+        views_.pick(*click, control, extent(), camera_, session_, inspection_);
+    }
 }
 
-// The box stands in the middle of what the side panel leaves free.
-void Window::send_camera_home() {
+WindowExtent Window::extent() const {
     int width = 1;
     int height = 1;
     SDL_GetWindowSize(context_.window(), &width, &height);
-    const auto tall = static_cast<float>(std::max(height, 1));
     const auto wide = static_cast<float>(std::max(width, 1));
     const float covered = view_.panels ? std::min(ui::side_panel_width(), 0.6f * wide) : 0.0f;
+    const auto tall = static_cast<float>(std::max(height, 1));
+    ui::State state;
+    state.view = view_;
+    state.stepping = &stepping_;
+    return {wide, tall, wide - covered, tall - std::min(ui::covered_height(state), 0.75f * tall)};
+}
+
+// The box stands in the middle of what the panels leave free, or of each half of that.
+void Window::send_camera_home() {
+    const WindowExtent window = extent();
     const vec3 half_extent(session_.simulation().half_extent());
-    camera_ = view::home(half_extent, (wide - covered) / tall);
-    camera_ = view::pan(camera_, view::vec2(-0.5f * covered / tall, 0.0f), half_extent);
+    const float free_width = views_.split() ? 0.5f * window.free_width : window.free_width;
+    camera_ = view::home(half_extent, free_width / window.free_height);
+    camera_.position *= window.height / window.free_height;
+    const view::vec2 aside = to_free_middle(window);
+    camera_ = view::pan(camera_, views_.split() ? view::vec2(0.0f, aside.y) : aside, half_extent);
+    home_ = camera_;
+    home_extent_ = window;
+}
+
+// From the middle of the window to the middle of what is free, as a share of its height (right, down).
+view::vec2 Window::to_free_middle(const WindowExtent& window) {
+    return -0.5f * view::vec2(window.width - window.free_width, window.height - window.free_height) / window.height;
+}
+
+// A camera that nobody has moved keeps the box in the middle when a panel opens.
+bool Window::home_has_moved() const {
+    const WindowExtent now = extent();
+    const bool untouched =
+        camera_.position == home_.position && camera_.yaw == home_.yaw && camera_.pitch == home_.pitch;
+    return untouched && (now.free_width != home_extent_.free_width || now.free_height != home_extent_.free_height);
 }
 
 ui::State Window::make_state() {
@@ -360,8 +444,11 @@ ui::State Window::make_state() {
     state.occupancy = monitor_.occupancy();
     state.top_count = monitor_.top_count();
     state.amount_colour = view::sequential;
+    state.which_colour = view::categorical;
     state.stepping = &stepping_;
     state.inspection = &inspection_;
+    views_.describe(probe_, session_, inspection_, view_, monitor_.top_count());
+    state.probe = &probe_;
     state.message = message_;
     state.close_popups = close_popups_;
     return state;
@@ -385,6 +472,9 @@ void Window::carry_out(const ui::Commands& commands) {
 }
 
 void Window::act(ui::Action action) {
+    if (views_.act(action, inspection_, session_)) {
+        return;
+    }
     switch (action) {
         case ui::Action::toggle_run:
             return clock_.toggle_run();
@@ -443,11 +533,29 @@ void Window::act(ui::Action action) {
         case ui::Action::toggle_microscope:
             view_.microscope = !view_.microscope;
             return;
+        case ui::Action::toggle_live_check:
+            return toggle_live_check();
+        case ui::Action::show_differences:
+            return show_next_differences();
         case ui::Action::close:
             return close_topmost();
         case ui::Action::quit:
             quit_ = true;
             return;
+        default:
+            return;  // the views' own
+    }
+}
+
+void Window::act(const ui::ChangeSettings& command) {
+    const Simulation& simulation = session_.simulation();
+    const bool brute_force = command.settings.neighbours == NeighbourSearch::brute_force;
+    const auto refusal = brute_force_refusal(command.settings.balls, simulation.features().has(Feature::contact),
+                                             simulation.backend().name());
+    if (brute_force && refusal) {
+        message_ = *refusal;
+    } else {
+        session_.want(command.settings);
     }
 }
 
@@ -476,6 +584,19 @@ void Window::act(const ui::SelectBall& command) {
 void Window::choose_unit(StepUnit unit) {
     stepping_.unit = unit;
     view_.stepper = view_.stepper || unit != StepUnit::step;
+}
+
+// What it finds shows on the strip.
+void Window::toggle_live_check() {
+    const bool off = live_check_.mode() == ui::LiveCheckMode::off;
+    live_check_.set_mode(off ? ui::LiveCheckMode::mirror : ui::LiveCheckMode::off);
+    view_.stepper = view_.stepper || off;
+}
+
+// Stage by stage, then closed.
+void Window::show_next_differences() {
+    const std::size_t next = live_check_.shown() ? static_cast<std::size_t>(*live_check_.shown()) + 1 : 0;
+    live_check_.show(next < stage_count ? std::optional(static_cast<Stage>(next)) : std::nullopt);
 }
 
 // One thing a press, what lies on top first; never the program.

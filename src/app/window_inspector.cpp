@@ -101,7 +101,7 @@ void Inspector::poll(Backend& backend, double now_s) {
 }
 
 void Inspector::ask(Backend& backend, std::uint64_t revision, bool running, double now_s) {
-    const bool panels_due = now_s - panels_asked_s_ >= 1.0 / copies_a_second;
+    const bool panels_due = now_s - panels_asked_s_ >= 1.0 / copies_a_second_;
     Batch next;
     waiting_ = false;
     bool any = false;
@@ -184,9 +184,7 @@ void Inspector::describe(ui::Inspection& inspection, double now_s) const {
             inspection.age_s = std::max(inspection.age_s, inspection.slots[i].age_s);
         }
     }
-    if (keys_before_) {
-        inspection.keys_before = *keys_before_;
-    }
+    inspection.keys_before = keys_before();
     inspection.read_ms = read_ms_;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "app/window_session.h"
 #include "core/backend.h"
@@ -16,7 +17,7 @@ namespace ballpit::app {
 class Inspector {
 public:
     /// Copies a second while the simulation runs.
-    static constexpr double copies_a_second = 5.0;
+    void set_rate(double copies_a_second) { copies_a_second_ = copies_a_second; }
 
     /// To be said in every frame in which the slot is looked at, before update().
     void want(Slot slot) { wants_[index(slot)].panel = true; }
@@ -37,6 +38,10 @@ public:
     /// Whether a copy is still to come.
     bool waiting() const { return waiting_; }
 
+    /// Empty where no sort pass ran last, or nobody wants them.
+    std::span<const std::byte> keys_before() const {
+        return keys_before_ ? std::span<const std::byte>(*keys_before_) : std::span<const std::byte>();
+    }
     /// What panels read of it. The spans hold until the next update().
     void describe(ui::Inspection& inspection, double now_s) const;
 
@@ -74,6 +79,7 @@ private:
     std::optional<Batch> batch_;
     std::uint64_t copies_made_ = 0;
     std::uint64_t layout_ = 0;
+    double copies_a_second_ = 5.0;
     double panels_asked_s_ = -1.0;
     bool wants_keys_before_ = false;
     std::optional<Bytes> keys_before_;

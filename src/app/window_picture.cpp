@@ -2,6 +2,17 @@
 
 namespace ballpit::app {
 
+namespace {
+
+view::BallColour drawn_colour(ui::BallColour colour, const gl::Buffer* values) {
+    if (ui::is_worked_out(colour)) {
+        return values == nullptr ? view::BallColour::plain : view::BallColour::value;
+    }
+    return static_cast<view::BallColour>(colour);
+}
+
+}  // namespace
+
 ui::LightOptions light_options(const view::Light& light) {
     return {light.orbiting, light.angle,  light.radius_factor, light.height,
             light.speed,    light.colour, light.intensity,     light.ambient};
@@ -15,35 +26,44 @@ view::Light light_of(const ui::LightOptions& options) {
 WindowPicture::WindowPicture(const std::filesystem::path& shader_folder, const std::filesystem::path& model_file)
     : renderer_(shader_folder, view::load_model(model_file)) {}
 
-void WindowPicture::draw(Simulation& simulation, const ui::ViewOptions& options, const view::Camera& camera,
-                         const view::Light& light, const view::Overlay& overlay, std::uint32_t top_count, float time_s,
-                         int width, int height) {
+void WindowPicture::draw(Simulation& simulation, std::size_t side, const PictureOptions& options,
+                         const PictureArea& area) {
     Backend& backend = simulation.backend();
+    DrawnBuffers& buffers = buffers_[side];
     const Schedule& schedule = simulation.schedule();
+    const ui::ViewOptions& view = options.view;
+    const bool arrows = options.overlay != nullptr && options.overlay->arrow_seconds > 0.0f;
+    const bool slice = options.overlay != nullptr && options.overlay->slice;
     view::Picture picture;
-    picture.positions = buffers_.positions(backend);
+    picture.positions = buffers.positions(backend);
     picture.ball_count = schedule.ball_count;
-    if (options.colour == ui::BallColour::speed) {
-        picture.velocities = buffers_.velocities(backend);
+    if (view.colour == ui::BallColour::speed || arrows) {
+        picture.velocities = buffers.velocities(backend);
     }
-    picture.show_cells = options.occupancy && schedule.cell_count > 0;
-    if (picture.show_cells) {
-        picture.cell_ranges = buffers_.cell_ranges(backend);
+    picture.show_cells = view.occupancy && schedule.cell_count > 0;
+    if (picture.show_cells || (slice && schedule.cell_count > 0)) {
+        picture.cell_ranges = buffers.cell_ranges(backend);
     }
     picture.grid = schedule.grid;
     picture.half_extent = vec3(simulation.half_extent());
-    picture.camera = camera;
-    picture.light = light;
-    picture.look = options.look == ui::Look::impostor ? view::Look::impostor : view::Look::model;
-    picture.ball_colour = static_cast<view::BallColour>(options.colour);
-    picture.show_box = options.box;
-    picture.show_ground = options.ground;
-    picture.show_light = options.light;
-    picture.top_count = top_count;
-    picture.overlay = &overlay;
-    picture.time_s = time_s;
-    picture.width = width;
-    picture.height = height;
+    picture.camera = options.camera;
+    picture.light = options.light;
+    picture.look = view.look == ui::Look::impostor ? view::Look::impostor : view::Look::model;
+    picture.ball_colour = drawn_colour(view.colour, options.values);
+    picture.values = options.values;
+    picture.value_low = options.value_low;
+    picture.value_high = options.value_high;
+    picture.top_speed = options.top_speed;
+    picture.show_box = view.box;
+    picture.show_ground = view.ground;
+    picture.show_light = view.light;
+    picture.top_count = options.top_count;
+    picture.overlay = options.overlay;
+    picture.time_s = options.time_s;
+    picture.x = area.x;
+    picture.y = area.y;
+    picture.width = area.width;
+    picture.height = area.height;
     renderer_.draw(picture);
 }
 

@@ -76,6 +76,10 @@ std::unique_ptr<Backend> Session::make_backend(ui::BackendChoice choice) const {
     return std::make_unique<cpu::CpuBackend<float>>();
 }
 
+std::unique_ptr<Backend> Session::twin_backend() const {
+    return make_backend(simulation_->backend().name() == "gpu" ? ui::BackendChoice::gpu : ui::BackendChoice::cpu);
+}
+
 // A refused file or value leaves the simulation as it was. A device that failed has lost its balls: then the scene that
 // ran starts anew, with the settings that it ran with.
 bool Session::attempt(const std::function<void()>& change) {
@@ -157,6 +161,16 @@ void Session::go_to(const ui::Place& place) {
     }
     move([&] { stepper_->go_to({place.substep, place.ran}); });
     look_from(stepper_->position().moment > place.substep);  // the last dispatch leads into the next substep
+}
+
+void Session::run_again(const std::function<void()>& before) {
+    const ui::Place shown = place();
+    move([&] {
+        stepper_->go_to({shown.substep, 0});
+        before();
+        stepper_->go_to({shown.substep, shown.ran});
+    });
+    look_from(stepper_->position().moment > shown.substep);
 }
 
 void Session::look_from(bool behind) {

@@ -38,6 +38,8 @@ public:
     void to_step_end();
     void go_to(const ui::Place& place);
     ui::Place place() const;
+    /// Runs what has run of the substep shown once more; `before`: just before that.
+    void run_again(const std::function<void()>& before);
     /// Once a frame: hashes that have arrived.
     void update() { stepper_->update(); }
 
@@ -54,6 +56,9 @@ public:
 
     /// Fills the cells for who looks at them before the first substep has run.
     void prepare_cells();
+
+    /// Another backend of the kind that computes here. Throws as its constructor does.
+    std::unique_ptr<Backend> twin_backend() const;
 
     /// Adds what the panels read of it.
     void describe(ui::State& state) const;

@@ -35,6 +35,22 @@ constexpr std::array<KeyRow, action_count> keys = {{
     {Action::unit_step, "4", "4", "Unit: a step"},
     {Action::toggle_stepper, "F2", "F2", "The strip of dispatches, to look inside a step"},
     {Action::toggle_microscope, "M", "M", "Microscope of the bitonic sort"},
+    {Action::toggle_live_check, "K", "K", "Check every stage against the mirror"},
+    {Action::show_differences, "J", "J", "What the check found, stage by stage"},
+    {Action::toggle_follow, "F", "F", "Follow one ball: click it"},
+    {Action::toggle_cells, "C", "C", "Table of the cells"},
+    {Action::toggle_buffers, "B", "B", "Tables of all buffers"},
+    {Action::toggle_split, "X", "X", "Brute force beside the grid"},
+    {Action::toggle_contacts, "N", "N", "Contacts as lines, coloured by overlap"},
+    {Action::toggle_arrows, "V", "V", "Velocity arrows"},
+    {Action::toggle_slice, "L", "L", "A layer of the grid as a heat map"},
+    {Action::next_ball, ".", ".", "Follow the next ball"},
+    {Action::previous_ball, ",", ",", "Follow the ball before"},
+    {Action::slice_axis, "Shift+L", "Shift+L", "The layer across another axis"},
+    {Action::layer_up, "↑", "↑", "The next layer"},
+    {Action::layer_down, "↓", "↓", "The layer before"},
+    {Action::next_slot, "Shift+B", "Shift+B", "The next buffer"},
+    {Action::clear_selection, "Delete", "Del", "Forget the selected ball and cell"},
 }};
 
 constexpr std::array<CameraRow, 7> camera = {{

@@ -33,10 +33,26 @@ enum class Action : std::uint8_t {
     unit_step,
     toggle_stepper,
     toggle_microscope,
+    toggle_live_check,
+    show_differences,
+    toggle_follow,
+    toggle_cells,
+    toggle_buffers,
+    toggle_split,
+    toggle_contacts,
+    toggle_arrows,
+    toggle_slice,
+    clear_selection,
+    next_ball,
+    previous_ball,
+    layer_up,
+    layer_down,
+    slice_axis,
+    next_slot,
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 26;
+inline constexpr std::size_t action_count = 42;
 
 struct KeyRow {
     Action action;
@@ -48,7 +64,7 @@ struct KeyRow {
 /// One row an action, in the order of the help page: first those of the window, then `stepping_actions` to look
 /// inside a step.
 std::span<const KeyRow> key_table();
-inline constexpr std::size_t stepping_actions = 12;
+inline constexpr std::size_t stepping_actions = 28;
 
 /// The short form for the space beside a control.
 std::string_view key_hint(Action action);

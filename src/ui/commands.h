@@ -10,6 +10,7 @@
 #include "core/settings.h"
 #include "ui/action.h"
 #include "ui/options.h"
+#include "ui/probe.h"
 #include "ui/stepping.h"
 
 namespace ballpit::ui {
@@ -60,6 +61,13 @@ struct GoTo {
 struct SetCheckpointBudget {
     std::size_t bytes;
 };
+struct SetLiveCheck {
+    LiveCheckMode mode;
+};
+/// The table of what backend and mirror have left differently; without a stage it closes.
+struct ShowDifferences {
+    std::optional<Stage> stage;
+};
 /// The ball that is marked and followed; the camera flies to it if asked to.
 struct SelectBall {
     std::optional<std::uint32_t> ball;
@@ -69,9 +77,27 @@ struct SelectCell {
     std::optional<std::uint32_t> cell;
 };
 
+struct ChangeProbe {
+    ProbeOptions options;
+};
+/// The cell that a ball is in, as the copies of the buffers have it.
+struct SelectCellOfBall {
+    std::uint32_t ball;
+};
+/// Opens the buffer tables at an element.
+struct ShowElement {
+    Slot slot;
+    std::uint64_t element;
+};
+/// Writes the copy of a slot as CSV.
+struct ExportSlot {
+    Slot slot;
+};
+
 using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
                              ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
-                             SetCheckpointBudget, SelectBall, SelectCell>;
+                             SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe, SelectCellOfBall,
+                             ShowElement, ExportSlot>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

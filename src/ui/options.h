@@ -13,7 +13,16 @@ enum class BackendChoice : std::uint8_t { automatic, gpu, cpu };
 inline constexpr std::array<std::string_view, 3> backend_choice_names = {"auto", "gpu", "cpu"};
 
 enum class Look : std::uint8_t { model, impostor };
-enum class BallColour : std::uint8_t { tinted, plain, speed, cell };
+enum class BallColour : std::uint8_t { tinted, plain, speed, cell, slot, contacts, radius };
+/// Whether the colour is a number that is read back and worked out first.
+constexpr bool is_worked_out(BallColour colour) { return colour >= BallColour::slot; }
+
+struct MicroscopeOptions {
+    std::uint32_t slots = 16;  // shown at once; 0: all
+    std::uint32_t first = 0;   // the window begins at or near this slot
+
+    friend bool operator==(const MicroscopeOptions&, const MicroscopeOptions&) = default;
+};
 
 struct ViewOptions {
     Look look = Look::model;
@@ -27,6 +36,7 @@ struct ViewOptions {
     bool help = false;
     bool stepper = false;
     bool microscope = false;
+    MicroscopeOptions microscope_options;
 
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };

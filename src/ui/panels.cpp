@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ui/probe_panels.h"
+#include "ui/stepping_panels.h"
 #include "ui/style.h"
 
 namespace ballpit::ui {
@@ -56,7 +58,7 @@ void left_side(const State& state, Commands& commands) {
         stack.window("timings", [&] { timings_panel(state); });
     }
     if (state.view.panels && state.view.occupancy) {
-        const float bottom = ImGui::GetIO().DisplaySize.y - margin();
+        const float bottom = ImGui::GetIO().DisplaySize.y - margin() - strip_height(state);
         ImGui::SetNextWindowPos(ImVec2(margin(), bottom), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
         ImGui::Begin("occupancy", nullptr, fixed_window);
         occupancy_panel(state);
@@ -76,6 +78,9 @@ void right_side(const State& state, Commands& commands) {
     settings_panel(state, commands);
     view_panel(state, commands);
     light_panel(state, commands);
+    if (state.probe != nullptr) {
+        probe_section(state, commands);
+    }
     ImGui::End();
 }
 
@@ -100,6 +105,10 @@ void draw_panels(const State& state, Commands& commands) {
     if (state.view.panels) {
         right_side(state, commands);
     }
+    if (state.view.panels && state.probe != nullptr) {
+        draw_probe_windows(state, commands);
+    }
+    draw_stepping_windows(state, commands);  // opened on purpose: they stay when the panels are hidden
     if (state.view.help) {
         help_window(state, commands);
     }

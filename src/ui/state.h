@@ -12,6 +12,7 @@
 #include "measure/occupancy.h"
 #include "ui/inspection.h"
 #include "ui/options.h"
+#include "ui/probe.h"
 #include "ui/stepping.h"
 
 namespace ballpit::ui {
@@ -67,10 +68,12 @@ struct State {
     double cell_width = 0.0;                        // m
     const measure::Occupancy* occupancy = nullptr;  // null until the first copy has arrived
     std::uint32_t top_count = 8;                    // balls in a cell that get the last colour
+    vec3 (*which_colour)(std::uint32_t) = nullptr;  // sRGB of a ball, as the picture tints it
     vec3 (*amount_colour)(float) = nullptr;         // sRGB of an amount from 0 to 1, as the picture colours cells
 
     const SteppingState* stepping = nullptr;  // never null in the window
     const Inspection* inspection = nullptr;   // null while no panel looks into the buffers
+    const ProbeState* probe = nullptr;        // never null in the window
 
     std::string_view message;  // empty: none
     bool close_popups = false;

@@ -9,7 +9,8 @@ namespace ballpit::ui {
 
 namespace {
 
-constexpr std::array<const char*, 4> colour_names = {"a tint for each ball", "texture only", "speed", "grid cell"};
+constexpr std::array<const char*, 7> colour_names = {
+    "a tint for each ball", "texture only", "speed", "grid cell", "slot", "contacts", "radius"};
 
 bool look_row(ViewOptions& view) {
     row_label("Look", "A model of triangles, or a sphere found by ray in each pixel: cheaper for many balls.");

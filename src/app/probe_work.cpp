@@ -1,0 +1,39 @@
+#include "app/probe_work.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace ballpit::app {
+
+ProbeWork work_out(const measure::BufferSample& sample, const ProbeWants& wants) {
+    const auto start = std::chrono::steady_clock::now();
+    ProbeWork work;
+    work.wants = wants;
+    if (wants.pairs || wants.value == BallValue::contacts) {
+        work.pairs = measure::found_pairs(sample);
+        for (const measure::Pair& pair : work.pairs.found) {
+            work.top_overlap =
+                std::max(work.top_overlap, measure::overlap_of(sample.positions[pair.a], sample.positions[pair.b]));
+        }
+    }
+    if (wants.cells) {
+        work.cells = measure::ordered_cells(sample.grid, sample.cell_ranges, wants.order);
+    }
+    switch (wants.value) {
+        case BallValue::none:
+            break;
+        case BallValue::slot:
+            work.values = measure::slot_values(sample);
+            break;
+        case BallValue::contacts:
+            work.values = measure::contact_values(work.pairs, sample.positions.size());
+            break;
+        case BallValue::radius:
+            work.values = measure::radius_values(sample);
+            break;
+    }
+    work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return work;
+}
+
+}  // namespace ballpit::app
