@@ -79,6 +79,11 @@ TEST_CASE_METHOD(GlFixture, "an empty overlay costs no draw call, no upload and 
         studio.draw();
         CHECK(CallCounter::calls == needed + 1);
         studio.overlay.arrow_seconds = 0.0f;
+        CallCounter::calls = 0;
+        studio.overlay.highlights = {{0, red}};  // an upload, what is seen, what shows through
+        studio.draw();
+        CHECK(CallCounter::calls == needed + 3);
+        studio.overlay.highlights.clear();
     }
 }
 
@@ -221,6 +226,9 @@ TEST_CASE_METHOD(GlFixture, "an overlay leaves no state behind that others would
         CHECK(glIsEnabled(GL_BLEND) == GL_FALSE);
         CHECK(glIsEnabled(GL_CULL_FACE) == GL_FALSE);
         CHECK(glIsEnabled(GL_SCISSOR_TEST) == GL_FALSE);
+        GLint depth_func = 0;
+        glGetIntegerv(GL_DEPTH_FUNC, &depth_func);
+        CHECK(depth_func == GL_LEQUAL);
         CHECK(glGetError() == GL_NO_ERROR);
         studio.picture.overlay = nullptr;
         CHECK(studio.draw() == bare);

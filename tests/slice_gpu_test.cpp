@@ -128,6 +128,15 @@ TEST_CASE_METHOD(GlFixture, "a slice that cuts away leaves out what stands befor
         CHECK(studio.draw() != without);
         studio.overlay.highlights.clear();
         studio.overlay.slice->cut_away = false;
+        studio.overlay.fade_others = 0.5f;
+        studio.set_balls({within});
+        const Pixels faded = studio.draw();
+        studio.set_balls({within, before});
+        CHECK(studio.draw() != faded);
+        studio.overlay.slice->cut_away = true;
+        CHECK(studio.draw() == faded);
+        studio.overlay.slice->cut_away = false;
+        studio.overlay.fade_others = 0.0f;
     }
 }
 

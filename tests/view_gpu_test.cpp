@@ -269,7 +269,9 @@ TEST_CASE_METHOD(GlFixture, "two pictures stand side by side, and touch nothing 
 
     studio.framebuffer.bind();
     glClearColor(1.0f, 0.0f, 1.0f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
+    glClearDepth(0.25);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearDepth(1.0);
     picture.x = 4;
     picture.y = 12;
     studio.renderer.draw(picture);
@@ -295,4 +297,7 @@ TEST_CASE_METHOD(GlFixture, "two pictures stand side by side, and touch nothing 
         }
     }
     CHECK(outside == width * height - 2 * 150 * 200);
+    float depth = 0.0f;
+    glReadPixels(160, 100, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    CHECK(depth == Approx(0.25f).margin(1e-4));
 }

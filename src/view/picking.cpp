@@ -12,21 +12,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_finite(const vec4& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-}
-
-// m along the ray to where it enters the ball. By the distance of the centre from the ray: no difference of large
-// squares. Nothing for a miss, a ball behind the eye or around it.
-std::optional<float> entry(const Ray& ray, const vec4& ball) {
+// m along the ray to where it enters the ball; not positive behind the eye or around it, NaN for a miss. By the
+// distance of the centre from the ray: no difference of large squares.
+float entry(const Ray& ray, const vec4& ball) {
     const vec3 to_centre = vec3(ball) - ray.origin;
     const float along = glm::dot(to_centre, ray.direction);
     const vec3 miss = to_centre - along * ray.direction;
-    const float depth_squared = ball.w * ball.w - glm::dot(miss, miss);
-    if (along <= 0.0f || depth_squared < 0.0f || glm::dot(to_centre, to_centre) <= ball.w * ball.w) {
-        return std::nullopt;
-    }
-    return along - std::sqrt(depth_squared);
+    return along - std::sqrt(ball.w * ball.w - glm::dot(miss, miss));
 }
 
 template <class Skip>
@@ -36,13 +28,10 @@ std::optional<std::uint32_t> nearest_ball(const Camera& camera, const vec3& half
     const float nearest_drawn = depth_range(camera, half_extent).x / glm::dot(ray.direction, forward(camera));
     float distance = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const vec4& ball = positions[i];
-        if (!is_finite(ball) || skip(ball)) {
-            continue;
-        }
-        const std::optional<float> hit = entry(ray, ball);
-        if (hit && *hit < distance && *hit >= nearest_drawn) {
-            distance = *hit;
+        const float hit = entry(ray, positions[i]);
+        // Never true for NaN, hence for no miss and no ball that is not finite.
+        if (hit >= nearest_drawn && hit < distance && !skip(positions[i])) {
+            distance = hit;
             nearest = static_cast<std::uint32_t>(i);
         }
     }
