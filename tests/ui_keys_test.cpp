@@ -63,7 +63,7 @@ TEST_CASE("keys do what the help page says", "[ui]") {
     CHECK(action_of(key(SDLK_F1), false) == Action::toggle_help);
     CHECK(action_of(key(SDLK_ESCAPE), false) == Action::close);
     CHECK(action_of(key(SDLK_q, KMOD_LCTRL), false) == Action::quit);
-    CHECK_FALSE(action_of(key(SDLK_x), false));
+    CHECK_FALSE(action_of(key(SDLK_z), false));
 }
 
 TEST_CASE("arrows and a clicker's keys step forth and back", "[ui]") {
@@ -82,6 +82,8 @@ TEST_CASE("arrows and a clicker's keys step forth and back", "[ui]") {
     CHECK(action_of(key(SDLK_AMPERSAND, KMOD_NONE, SDL_SCANCODE_1), false) == Action::unit_pass);  // a French keyboard
     CHECK(action_of(key(SDLK_F2), false) == Action::toggle_stepper);
     CHECK(action_of(key(SDLK_m), false) == Action::toggle_microscope);
+    CHECK(action_of(key(SDLK_k), false) == Action::toggle_live_check);
+    CHECK(action_of(key(SDLK_j), false) == Action::show_differences);
 }
 
 TEST_CASE("camera keys are no actions", "[ui]") {

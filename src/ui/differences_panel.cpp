@@ -1,5 +1,5 @@
 // What a stage's check found: GPU | CPU | difference, one row an element.
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -80,7 +80,13 @@ void difference_row(const SlotDifference& difference, std::uint32_t element, con
     text(distance(difference, element));
 }
 
+// Lines of text that a table takes: where the microscope is open, too, there is room for a few only.
+float table_rows(const SlotDifference& difference, const State& state) {
+    return std::min(static_cast<float>(difference.differing.size()) + 1.6f, state.view.microscope ? 3.6f : 8.6f);
+}
+
 void difference_table(const SlotDifference& difference, const State& state, Commands& commands) {
+    const float rows = table_rows(difference, state);
     std::string names;
     for (const measure::SlotColumn& column : measure::slot_columns(difference.slot)) {
         names += (names.empty() ? "" : "  ") + std::string(column.name);
@@ -90,7 +96,6 @@ void difference_table(const SlotDifference& difference, const State& state, Comm
              " of those that differ; click one to see its ball");
     constexpr auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollY |
                            ImGuiTableFlags_SizingStretchProp;
-    const float rows = std::min(static_cast<float>(difference.differing.size()) + 1.6f, 9.0f);
     if (!ImGui::BeginTable(std::string(slot_name(difference.slot)).c_str(), 4, flags,
                            ImVec2(0.0f, rows * ImGui::GetTextLineHeightWithSpacing()))) {
         return;
@@ -112,6 +117,16 @@ void difference_table(const SlotDifference& difference, const State& state, Comm
 }
 
 }  // namespace
+
+float differences_height(const State& state) {
+    float lines = 4.5f;
+    for (const SlotDifference& difference :
+         state.stepping->check.stages[static_cast<std::size_t>(state.stepping->check.shown.value_or(Stage{}))]
+             .differences) {
+        lines += 1.0f + table_rows(difference, state);
+    }
+    return lines * ImGui::GetTextLineHeightWithSpacing() + 2.0f * em();
+}
 
 void differences_panel(const State& state, Commands& commands) {
     const LiveCheckState& check = state.stepping->check;

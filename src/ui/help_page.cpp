@@ -54,6 +54,9 @@ void window_column() {
 
 void help_page(const State&, Commands& commands) {
     if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerV)) {
+        for (const char* name : {"window", "inside a step"}) {
+            ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, 29.0f * em());
+        }
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         window_column();

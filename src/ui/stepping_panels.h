@@ -22,6 +22,9 @@ float strip_height(const State& state);
 /// The same for the strip and the microscope above it, where they stand when they open.
 float covered_height(const State& state);
 
+/// Pixels of the window of differences, at most.
+float differences_height(const State& state);
+
 /// A shape and words: a meaning that no eye misses.
 std::string badge_text(const Badge& badge);
 ImVec4 badge_colour(Badge::Kind kind);

@@ -9,10 +9,10 @@ namespace ballpit::ui {
 
 namespace {
 
-constexpr ImGuiWindowFlags movable = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoCollapse;
-constexpr ImGuiWindowFlags fixed = movable | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize;
+constexpr ImGuiWindowFlags titled = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize;
+constexpr ImGuiWindowFlags fixed = titled | ImGuiWindowFlags_NoTitleBar;
 
 constexpr float microscope_height = 19.5f;  // em
 
@@ -44,18 +44,17 @@ void strip_window(const State& state, Commands& commands) {
     ImGui::End();
 }
 
-// A window with a title and a cross; false: the cross was pressed. `above`: pixels kept free below it.
+// A window with a title and a cross, as high as its content; false: the cross was pressed. `above`: pixels kept free
+// below it.
 template <class Content>
-bool tool_window(const State& state, const char* title, float height, float above, const Content& content) {
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
+bool tool_window(const State& state, const char* title, float above, const Content& content) {
     const float width = free_width(state) - margin();
-    const float bottom = display.y - above - margin();
-    ImGui::SetNextWindowPos(ImVec2(margin(), bottom), ImGuiCond_Appearing, ImVec2(0.0f, 1.0f));
-    ImGui::SetNextWindowSize(ImVec2(width, std::min(height, bottom - margin())), ImGuiCond_Appearing);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(24.0f * em(), 8.0f * em()), ImVec2(FLT_MAX, FLT_MAX));
+    const float bottom = ImGui::GetIO().DisplaySize.y - above - margin();
+    ImGui::SetNextWindowPos(ImVec2(margin(), bottom), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, FLT_MAX));
     ImGui::SetNextWindowBgAlpha(0.97f);  // numbers and thin lines stand in it
     bool open = true;
-    if (ImGui::Begin(title, &open, movable)) {
+    if (ImGui::Begin(title, &open, titled)) {
         content();
     }
     ImGui::End();
@@ -82,7 +81,9 @@ float strip_height(const State& state) {
 
 float covered_height(const State& state) {
     const bool microscope = state.view.microscope && state.stepping != nullptr;
-    return strip_height(state) + (microscope ? microscope_height * em() + margin() : 0.0f);
+    const bool differences = state.stepping != nullptr && state.stepping->check.shown;
+    return strip_height(state) + (microscope ? microscope_height * em() + margin() : 0.0f) +
+           (differences ? differences_height(state) : 0.0f);
 }
 
 void draw_stepping_windows(const State& state, Commands& commands) {
@@ -93,12 +94,13 @@ void draw_stepping_windows(const State& state, Commands& commands) {
         strip_window(state, commands);
     }
     const float strip = strip_height(state);
-    if (state.view.microscope && !tool_window(state, "Bitonic sort", microscope_height * em(), strip,
-                                              [&] { microscope_panel(state, commands); })) {
+    if (state.view.microscope &&
+        !tool_window(state, "Bitonic sort", strip, [&] { microscope_panel(state, commands); })) {
         commands.push_back(Action::toggle_microscope);
     }
     if (state.stepping->check.shown &&
-        !tool_window(state, "Differences", 17.0f * em(), strip, [&] { differences_panel(state, commands); })) {
+        !tool_window(state, "Differences", strip + (state.view.microscope ? microscope_height * em() + margin() : 0.0f),
+                     [&] { differences_panel(state, commands); })) {
         commands.push_back(ShowDifferences{});
     }
 }
