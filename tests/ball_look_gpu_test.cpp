@@ -69,6 +69,12 @@ TEST_CASE_METHOD(GlFixture, "a faded ball has a fainter shadow", "[view]") {
     studio.overlay.fade_others = 0.999f;
     CHECK(half < 0.75 * whole);
     CHECK(darkness(lit, studio.draw()) < 0.1 * half);
+    // Nor does it darken the ground below it any more.
+    studio.picture.show_shadows = false;
+    studio.set_balls({vec4(0, 0, -0.5f, 0.4f)});
+    const double no_ball = darkness(lit, studio.draw());
+    studio.overlay.fade_others = 1e-3f;
+    CHECK(no_ball < 0.1 * darkness(lit, studio.draw()));
 }
 
 TEST_CASE_METHOD(GlFixture, "an arrow points along the velocity, as long as the way in its time", "[view]") {
@@ -96,6 +102,8 @@ TEST_CASE_METHOD(GlFixture, "an arrow points along the velocity, as long as the 
     studio.overlay.arrow_seconds = 0.1f;
     CHECK(count(changed(bare, studio.draw())) < count(mask));
     studio.set_balls({vec4(-0.5f, 0, 0, 0.2f)}, {vec4(0, 0, 0, 1)});
+    CHECK(studio.draw() == bare);
+    studio.set_balls({vec4(-0.5f, 0, 0, 0.2f)}, {vec4(0.3f, 0, 0, 1)});  // two pixels say nothing
     CHECK(studio.draw() == bare);
     studio.set_balls({vec4(-0.5f, 0, 0, 0.2f)}, {vec4(not_a_number, 0, 0, 1)});
     CHECK(studio.draw() == bare);
