@@ -26,7 +26,7 @@ void Simulation::load(Scene scene, const Settings& settings, std::uint64_t seed)
     scene_ = std::move(scene);
     settings_ = settings;
     seed_ = seed;
-    load_world(std::move(world));
+    load_world(world);
 }
 
 void Simulation::restart(std::uint64_t seed) {
