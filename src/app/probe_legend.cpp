@@ -53,21 +53,20 @@ void add_contacts(std::vector<ui::Legend>& legends, const LegendInput& in) {
         return;
     }
     const measure::FoundPairs& pairs = in.work->pairs;
-    ui::Legend legend = words("");
     if (in.options.contacts) {
-        legend = bar("Contacts: overlap", view::Palette::sequential, 0.0f, 1000.0f * in.top_overlap, "mm");
-        legend.entries.push_back({vec3(view::sequential(0.5f)), ui::grouped(pairs.found.size()) + " contacts found"});
+        legends.push_back(bar("Contacts: overlap", view::Palette::sequential, 0.0f, 1000.0f * in.top_overlap, "mm"));
+        std::string found = ui::grouped(pairs.found.size()) + " found, the largest " +
+                            ui::short_number(1000.0 * static_cast<double>(in.work->largest_overlap)) + " mm";
         if (pairs.found.size() > most_contact_lines) {
-            legend.title += " (the first " + ui::grouped(most_contact_lines) + ")";
+            found += "; the first " + ui::grouped(most_contact_lines) + " are drawn";
         }
-    } else {
-        legend.title = "Lines";
+        legends.back().entries.push_back({vec3(view::sequential(1.0f)), found});
+    } else if (!pairs.missed.empty()) {
+        legends.push_back(words("Lines"));
     }
-    if (in.options.contacts || !pairs.missed.empty()) {
-        legend.entries.push_back({vec3(missed_colour), ui::grouped(pairs.missed.size()) + " that the grid misses"});
-    }
-    if (!legend.entries.empty()) {
-        legends.push_back(legend);
+    if (!pairs.missed.empty()) {
+        legends.back().entries.push_back(
+            {vec3(missed_colour), ui::grouped(pairs.missed.size()) + " that the grid misses"});
     }
 }
 

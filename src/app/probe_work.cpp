@@ -5,16 +5,30 @@
 
 namespace ballpit::app {
 
+namespace {
+
+void measure_overlaps(const measure::BufferSample& sample, ProbeWork& work) {
+    std::vector<float> overlaps;
+    for (const measure::Pair& pair : work.pairs.found) {
+        overlaps.push_back(measure::overlap_of(sample.positions[pair.a], sample.positions[pair.b]));
+    }
+    if (!overlaps.empty()) {
+        const auto usual = overlaps.begin() + static_cast<std::ptrdiff_t>(overlaps.size() * 95 / 100);
+        std::ranges::nth_element(overlaps, usual);
+        work.usual_overlap = *usual;
+        work.largest_overlap = *std::max_element(usual, overlaps.end());
+    }
+}
+
+}  // namespace
+
 ProbeWork work_out(const measure::BufferSample& sample, const ProbeWants& wants) {
     const auto start = std::chrono::steady_clock::now();
     ProbeWork work;
     work.wants = wants;
     if (wants.pairs || wants.value == BallValue::contacts) {
         work.pairs = measure::found_pairs(sample);
-        for (const measure::Pair& pair : work.pairs.found) {
-            work.top_overlap =
-                std::max(work.top_overlap, measure::overlap_of(sample.positions[pair.a], sample.positions[pair.b]));
-        }
+        measure_overlaps(sample, work);
     }
     if (wants.cells) {
         work.cells = measure::ordered_cells(sample.grid, sample.cell_ranges, wants.order);

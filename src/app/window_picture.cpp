@@ -67,4 +67,14 @@ void WindowPicture::draw(Simulation& simulation, std::size_t side, const Picture
     renderer_.draw(picture);
 }
 
+void WindowPicture::draw_background(const PictureArea& area) {
+    view::Picture picture;
+    picture.show_box = picture.show_ground = picture.show_light = picture.show_shadows = false;
+    picture.x = area.x;
+    picture.y = area.y;
+    picture.width = area.width;
+    picture.height = area.height;
+    renderer_.draw(picture);
+}
+
 }  // namespace ballpit::app

@@ -47,6 +47,9 @@ public:
     /// `side`: 0, or 1 for the second simulation of a split screen.
     void draw(Simulation& simulation, std::size_t side, const PictureOptions& options, const PictureArea& area);
 
+    /// Only what lies behind everything.
+    void draw_background(const PictureArea& area);
+
 private:
     view::Renderer renderer_;
     std::array<DrawnBuffers, 2> buffers_;

@@ -197,7 +197,7 @@ const gl::Buffer* Probe::values(ui::BallColour colour) const {
     return value_shown_ != BallValue::none && value_shown_ == value_of(colour) ? &value_buffer_ : nullptr;
 }
 
-float Probe::top_overlap() const { return round_up(work_.top_overlap); }
+float Probe::top_overlap() const { return round_up(work_.usual_overlap); }
 
 void Probe::add_to(view::Overlay& overlay, const ui::Inspection& inspection, const Grid& grid) const {
     overlay.lines.insert(overlay.lines.end(), lines_.begin(), lines_.end());

@@ -49,6 +49,10 @@ void Split::start(Session& session) {
     settings.neighbours = NeighbourSearch::brute_force;
     auto right = std::make_unique<Simulation>(left.scene(), settings, left.seed(), session.twin_backend());
     right->restore(checkpoint);
+    // What the substep before began with, so that both sides speak of the same one.
+    for (const Slot slot : {Slot::next_positions, Slot::next_velocities}) {
+        right->backend().write(slot, left.backend().read(slot));
+    }
     right->backend().set_timing(true);
     simulation_ = std::move(right);
     stepper_ = std::make_unique<Stepper>(*simulation_, checkpoint_budget);

@@ -212,7 +212,10 @@ void Views::draw(WindowPicture& picture, Session& session, PictureOptions option
     options.overlay = &right;
     options.values = nullptr;
     options.view.occupancy = false;
-    picture.draw(split_.simulation(), 1, options, {half, 0, std::max(width - half, 1), height});
+    picture.draw(split_.simulation(), 1, options, {half, 0, half, height});
+    if (width > 2 * half) {
+        picture.draw_background({2 * half, 0, width - 2 * half, height});
+    }
 }
 
 }  // namespace ballpit::app

@@ -20,7 +20,7 @@ std::uint32_t balls_in(const CellRange& range) { return range.end - range.first;
 
 void search_line(const ProbeState& view, ProbeOptions& options, bool& changed, Commands& commands) {
     if (const auto cell =
-            number_field("Cell", "Type a cell id and press Enter: its row, and the cell in the picture.")) {
+            number_field("Cell", "Type a cell id and press Enter: its row, and the cell in the picture.", view.cell)) {
         commands.push_back(SelectCell{*cell});
     }
     ImGui::SameLine();
@@ -29,7 +29,7 @@ void search_line(const ProbeState& view, ProbeOptions& options, bool& changed, C
     }
     ImGui::SameLine();
     changed |= ImGui::Checkbox("only occupied", &options.cell_order.only_occupied);
-    changed |= ImGui::Checkbox("a click in the picture picks a cell", &options.click_picks_cell);
+    changed |= ImGui::Checkbox("a click picks a cell", &options.click_picks_cell);
     tooltip("Otherwise it picks a ball. With Ctrl held it picks the other.");
     if (view.cell) {
         ImGui::SameLine();
@@ -50,17 +50,16 @@ void slice_line(const ProbeState& view, ProbeOptions& options, bool& changed) {
             ImGui::RadioButton(std::array{"x", "y", "z"}[static_cast<std::size_t>(axis)], &options.slice_axis, axis);
     }
     ImGui::SameLine();
+    changed |= ImGui::Checkbox("cut away", &options.slice_cut);
+    tooltip("Leaves out the balls between the layer and the eye.");
     const std::uint32_t most = std::max(view.grid_cells[options.slice_axis], 1u) - 1;
     const std::uint32_t least = 0;
     std::uint32_t layer = std::min(options.slice_layer, most);
-    ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - 6.5f * em(), 5.0f * em()));
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (ImGui::SliderScalar("##layer", ImGuiDataType_U32, &layer, &least, &most, "layer %u")) {
         options.slice_layer = layer;
         changed = true;
     }
-    ImGui::SameLine();
-    changed |= ImGui::Checkbox("cut away", &options.slice_cut);
-    tooltip("Leaves out the balls between the layer and the eye.");
 }
 
 // The headings' arrows are ImGui's; a click on one is a command as any other.

@@ -74,7 +74,9 @@ void counts_line(const State& state, const measure::BallProbe& probe) {
     } else {
         text(format("%zu cells hold ", probe.cells.size()) + grouped(probe.tested) + " other balls: tested. " +
              grouped(probe.touched) + (probe.touched == 1 ? " touches." : " touch."));
-        dim_text("Slots looked through:");
+        dim_text("Slots:");
+        tooltip("The runs of slots that its cells take up; cells that follow each other in x share one.");
+        ImGui::SameLine();
     }
 }
 
@@ -126,7 +128,7 @@ void neighbour_table(const measure::BallProbe& probe, Commands& commands) {
 }
 
 void search_line(const ProbeState& view, Commands& commands) {
-    if (const auto wanted = number_field("Ball", "Type a number and press Enter.")) {
+    if (const auto wanted = number_field("Ball", "Type a number and press Enter.", view.ball)) {
         commands.push_back(SelectBall{*wanted, false});
     }
     if (!view.ball) {
@@ -156,7 +158,7 @@ std::vector<TraceLink> trace_links(const measure::BallProbe& probe, bool within_
         if (const CellRange* run = own_run(probe)) {
             std::string words = "neighbours " + range_text(run->first, run->end);
             if (probe.runs.size() > 1) {
-                words += format(" and %zu more runs", probe.runs.size() - 1);
+                words += format(" +%zu runs", probe.runs.size() - 1);
             }
             links.push_back({words, Slot::keys, run->first});
         }

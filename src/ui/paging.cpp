@@ -62,15 +62,20 @@ void Pager::draw() {
              grouped(rows_));
 }
 
-std::optional<std::uint32_t> number_field(const char* label, const char* about) {
+std::optional<std::uint32_t> number_field(const char* label, const char* about, std::optional<std::uint32_t> chosen) {
     ImGui::PushID(label);
     ImGui::AlignTextToFramePadding();
     text(label);
     tooltip(about);
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(6.0f * em());
+    ImGui::SetNextItemWidth(4.6f * em());
     ImGuiStorage* storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("value");
+    const ImGuiID chosen_id = ImGui::GetID("chosen");
+    if (chosen && static_cast<std::uint32_t>(storage->GetInt(chosen_id, -1)) != *chosen) {
+        storage->SetInt(chosen_id, static_cast<int>(*chosen));
+        storage->SetInt(id, static_cast<int>(*chosen));
+    }
     auto value = static_cast<std::uint32_t>(storage->GetInt(id, 0));
     const bool entered = ImGui::InputScalar("##number", ImGuiDataType_U32, &value, nullptr, nullptr, "%u",
                                             ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);

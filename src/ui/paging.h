@@ -37,7 +37,8 @@ private:
     std::optional<int> target_;  // row in the page
 };
 
-/// "Ball [  73]": the number when Enter was pressed. What was typed stays there.
-std::optional<std::uint32_t> number_field(const char* label, const char* about);
+/// "Ball [  73]": the number when Enter was pressed. What was typed stays there, until something else is `chosen`.
+std::optional<std::uint32_t> number_field(const char* label, const char* about,
+                                          std::optional<std::uint32_t> chosen = std::nullopt);
 
 }  // namespace ballpit::ui

@@ -105,7 +105,7 @@ void draw_panels(const State& state, Commands& commands) {
     if (state.view.panels) {
         right_side(state, commands);
     }
-    if (state.view.panels && state.probe != nullptr) {
+    if (state.probe != nullptr) {
         draw_probe_windows(state, commands);
     }
     draw_stepping_windows(state, commands);  // opened on purpose: they stay when the panels are hidden

@@ -54,7 +54,7 @@ void tool_windows(const State& state, Commands& commands) {
     const ImVec2 room = free_room(state);
     const float below_rate = 6.0f * em();
     if (options.cells && !window(state, "Cells", ImVec2(margin(), below_rate),
-                                 ImVec2(26.0f * em(), room.y - below_rate), [&] { cells_panel(state, commands); })) {
+                                 ImVec2(27.0f * em(), room.y - below_rate), [&] { cells_panel(state, commands); })) {
         close(state, &ProbeOptions::cells, commands);
     }
     if (options.buffers && !window(state, "Buffers", ImVec2(room.x - 32.0f * em(), margin()),
@@ -72,7 +72,9 @@ void legend_window(const State& state) {
         return;
     }
     const ImVec2 room = free_room(state);
-    ImGui::SetNextWindowPos(ImVec2(room.x, room.y - margin()), ImGuiCond_Always, ImVec2(1.0f, 1.0f));
+    const bool split = state.probe->options.split;  // then the corner is taken
+    const float y = split ? margin() : room.y - margin();
+    ImGui::SetNextWindowPos(ImVec2(room.x, y), ImGuiCond_Always, ImVec2(1.0f, split ? 0.0f : 1.0f));
     ImGui::Begin("legend", nullptr, fixed);
     for (std::size_t i = 0; i < state.probe->legends.size(); ++i) {
         if (i > 0) {

@@ -15,6 +15,7 @@ void action_button(const char* label, Action action, float width, Commands& comm
 
 void speed_row(const State& state, Commands& commands) {
     const float button = ImGui::GetFrameHeight();
+    const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     row_label("Time speed",
               "Simulated seconds a second. The step length stays as it is: only the number of steps "
               "changes, and a slow machine shows slow motion.",
@@ -25,7 +26,7 @@ void speed_row(const State& state, Commands& commands) {
         commands.push_back(ChangeSpeed{speed});
     }
     if (state.speed != 1.0) {
-        ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - button);
+        ImGui::SameLine(end - button);
         if (ImGui::Button("↺##speed", ImVec2(button, 0.0f))) {
             commands.push_back(ChangeSpeed{1.0});
         }

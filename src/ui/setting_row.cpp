@@ -149,6 +149,7 @@ std::string shown_unit(std::string_view unit) {
 bool setting_row(const SettingInfo& info, const State& state, Settings& edited) {
     const float button = ImGui::GetFrameHeight();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     ImGui::PushID(info.key.data(), info.key.data() + info.key.size());
     std::string about(info.about);
     if (!info.unit.empty()) {
@@ -157,7 +158,7 @@ bool setting_row(const SettingInfo& info, const State& state, Settings& edited) 
     row_label(info.label, about, button + gap);
     bool changed = std::visit(Control{info, state, edited}, info.member);
     if (differs(info, edited, state.defaults)) {
-        ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - button);
+        ImGui::SameLine(end - button);
         if (ImGui::Button("↺", ImVec2(button, 0.0f))) {
             assign_setting(edited, info.key, setting_text(info, state.defaults));
             changed = true;

@@ -41,7 +41,7 @@ void split_counts(const SplitSide& side) {
     count_row("pairs tested", number(side.tested));
     count_row("contacts found", number(side.contacts));
     count_row("contacts missed", number(side.missed), side.known && side.missed > 0);
-    count_row("a substep", side.ms_per_substep ? format("%.3g ms", *side.ms_per_substep) : std::string("run it"));
+    count_row("a substep", side.ms_per_substep ? format("%.3g ms", *side.ms_per_substep) : std::string("–"));
     ImGui::EndTable();
 }
 

@@ -49,16 +49,16 @@ bool colour_row(const State& state, ViewOptions& view) {
 
 bool toggles(ViewOptions& view) {
     bool changed = false;
-    if (ImGui::BeginTable("toggles", 2, ImGuiTableFlags_SizingStretchSame)) {
+    if (ImGui::BeginTable("toggles", 3, ImGuiTableFlags_SizingStretchProp)) {
         const auto toggle = [&changed](const char* label, bool& value, std::string_view keys) {
             ImGui::TableNextColumn();
             changed |= key_checkbox(label, value, keys);
         };
         toggle("Box", view.box, "");
-        toggle("Occupancy", view.occupancy, key_hint(Action::toggle_occupancy));
         toggle("Ground", view.ground, "");
-        toggle("Timings", view.timings, key_hint(Action::toggle_timings));
         toggle("Light", view.light, "");
+        toggle("Occupancy", view.occupancy, key_hint(Action::toggle_occupancy));
+        toggle("Timings", view.timings, key_hint(Action::toggle_timings));
         toggle("Help", view.help, key_hint(Action::toggle_help));
         ImGui::EndTable();
     }
