@@ -211,3 +211,9 @@ TEST_CASE("a broken table of cells is shown as it is", "[measure]") {
     const auto cells = measure::ordered_cells(grid, ranges, {measure::CellColumn::end, false, true});
     CHECK(cells == std::vector<std::uint32_t>{1, 0});
 }
+
+TEST_CASE("a difference is a length, whatever the fourth component", "[measure]") {
+    const std::vector<vec4> a = {{0, 0, 0, 1}, {1, 2, 3, 4}};
+    const std::vector<vec4> b = {{3, 4, 0, 9}, {1, 2, 3, 5}};
+    CHECK(measure::difference_values(a, b) == std::vector<float>{5.0f, 0.0f});
+}

@@ -80,7 +80,7 @@ struct Loop {
         views.want(inspector, view, inspection);
         inspector.update(session, running, now_s);
         inspector.describe(inspection, now_s);
-        views.update(session, inspector, inspection, view, running, now_s);
+        views.update(session, inspector, inspection, view, {}, running, now_s);
         views.describe(state, session, inspection, view, 8);
     }
     void act(ui::Action action) { REQUIRE(views.act(action, inspection, session)); }

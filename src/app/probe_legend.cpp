@@ -37,6 +37,17 @@ void add_ball_colour(std::vector<ui::Legend>& legends, const LegendInput& in) {
         case ui::BallColour::contacts:
             legends.push_back(bar("Balls: contacts with others", Palette::sequential, in.value_low, in.value_high, ""));
             return;
+        case ui::BallColour::difference:
+            if (!in.checked) {
+                legends.push_back(words("Balls: difference to the mirror"));
+                legends.back().entries.push_back({view::no_value_colour, "switch the check to the mirror: K"});
+            } else if (in.value_high == 0.0f) {
+                legends.push_back(words("Balls: no difference to the mirror"));
+            } else {
+                legends.push_back(bar("Balls: velocity, difference to the mirror", Palette::sequential, in.value_low,
+                                      in.value_high, "m/s"));
+            }
+            return;
         case ui::BallColour::radius:
             if (in.value_low == in.value_high) {
                 legends.push_back(

@@ -24,6 +24,7 @@ struct LegendInput {
     float value_low = 0.0f;   // of worked out colours
     float value_high = 1.0f;
     float top_overlap = 0.0f;  // m
+    bool checked = false;      // by the mirror
 };
 
 std::vector<ui::Legend> make_legends(const LegendInput& input);

@@ -53,6 +53,9 @@ gl::ContextOptions context_options(const WindowOptions& options) {
     return context;
 }
 
+// 16, 64, all (0).
+std::uint32_t next_size(std::uint32_t slots) { return slots == 16 ? 64 : slots == 64 ? 0 : 16; }
+
 StepUnit coarser(StepUnit unit) {
     return unit == StepUnit::step ? unit : static_cast<StepUnit>(static_cast<int>(unit) + 1);
 }
@@ -299,7 +302,7 @@ void Window::look_inside(double now_s) {
     if (flight_wanted_) {
         fly_to_selected_ball();
     }
-    views_.update(session_, inspector_, inspection_, view_, clock_.running(), now_s);
+    views_.update(session_, inspector_, inspection_, view_, stepping_.check, clock_.running(), now_s);
     overlay_ = make_overlay(inspection_);
     views_.add_to(overlay_, inspection_, session_);
 }
@@ -532,6 +535,10 @@ void Window::act(ui::Action action) {
             return;
         case ui::Action::toggle_microscope:
             view_.microscope = !view_.microscope;
+            return;
+        case ui::Action::microscope_size:
+            view_.microscope = true;
+            view_.microscope_options.slots = next_size(view_.microscope_options.slots);
             return;
         case ui::Action::toggle_live_check:
             return toggle_live_check();

@@ -101,6 +101,9 @@ void Probe::update(Session& session, const Inspector& inspector, const ui::Inspe
         follow_ = measure::probe_ball(*sample_, *inspection.ball);
     }
     take_work(wants(colour), running);
+    if (colour != ui::BallColour::difference) {
+        difference_revision_ = 0;  // another colour has taken its place
+    }
     if (auto message = export_.take()) {
         message_ = std::move(*message);
     }
@@ -181,11 +184,7 @@ void Probe::set_values() {
     if (value_shown_ == BallValue::none) {
         return;
     }
-    const auto bytes = std::as_bytes(std::span(work_.values));
-    if (value_buffer_.size() < bytes.size()) {
-        value_buffer_ = gl::Buffer("ball values", bytes.size(), GL_STREAM_DRAW);
-    }
-    value_buffer_.write(bytes);
+    upload(work_.values);
     const auto [low, high] = std::ranges::minmax(work_.values);
     value_low_ = value_shown_ == BallValue::radius ? low : 0.0f;
     value_high_ = value_shown_ == BallValue::contacts ? std::max(usual_contacts, high)
@@ -193,7 +192,41 @@ void Probe::set_values() {
                                                       : high;
 }
 
+void Probe::upload(std::span<const float> values) {
+    const auto bytes = std::as_bytes(values);
+    if (value_buffer_.size() < bytes.size()) {
+        value_buffer_ = gl::Buffer("ball values", bytes.size(), GL_STREAM_DRAW);
+    }
+    value_buffer_.write(bytes);
+}
+
+void Probe::take_differences(const ui::LiveCheckState& check, std::uint32_t balls, std::uint64_t revision) {
+    const ui::StageCheck& collide = check.stages[static_cast<std::size_t>(Stage::collide)];
+    if (!collide.ran || !collide.compared || balls == 0) {
+        difference_ = Difference::not_checked;
+        difference_revision_ = 0;
+        return;
+    }
+    if (difference_revision_ == revision) {
+        return;
+    }
+    difference_revision_ = revision;
+    std::vector<float> values(balls, 0.0f);
+    for (const ui::SlotDifference& slot : collide.differences) {
+        if (slot.slot == Slot::next_velocities && slot.gpu.size() == balls * sizeof(vec4)) {
+            values = measure::difference_values(typed<vec4>(slot.gpu), typed<vec4>(slot.cpu));
+        }
+    }
+    upload(values);
+    value_low_ = 0.0f;
+    value_high_ = round_up(std::ranges::max(values));
+    difference_ = value_high_ > 0.0f ? Difference::some : Difference::none;
+}
+
 const gl::Buffer* Probe::values(ui::BallColour colour) const {
+    if (colour == ui::BallColour::difference) {
+        return difference_ == Difference::not_checked ? nullptr : &value_buffer_;
+    }
     return value_shown_ != BallValue::none && value_shown_ == value_of(colour) ? &value_buffer_ : nullptr;
 }
 
@@ -239,9 +272,9 @@ void Probe::describe(ui::ProbeState& state, const Session& session, const ui::In
     state.age_s = inspection.slot(options_.slot).age_s;
     state.cost_ms = work_.ms;
     state.working = working();
-    legends_ =
-        make_legends({setting.colour, options_, work_sample_ ? &work_ : nullptr, follow_.has_value(), setting.occupancy,
-                      setting.top_count, setting.top_speed, value_low_, value_high_, top_overlap()});
+    legends_ = make_legends({setting.colour, options_, work_sample_ ? &work_ : nullptr, follow_.has_value(),
+                             setting.occupancy, setting.top_count, setting.top_speed, value_low_, value_high_,
+                             top_overlap(), difference_ != Difference::not_checked});
     state.legends = legends_;
 }
 

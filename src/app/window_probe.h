@@ -14,6 +14,7 @@
 #include "app/window_inspector.h"
 #include "app/window_session.h"
 #include "gl/buffer.h"
+#include "ui/live_check.h"
 #include "ui/probe.h"
 #include "view/overlay.h"
 
@@ -36,6 +37,8 @@ public:
     /// After it.
     void update(Session& session, const Inspector& inspector, const ui::Inspection& inspection, ui::BallColour colour,
                 bool running);
+    /// What the live check has found of the substep shown, for balls coloured by it. `revision`: of the buffers.
+    void take_differences(const ui::LiveCheckState& check, std::uint32_t balls, std::uint64_t revision);
 
     /// Whether something is still being worked out or written.
     bool working() const { return background_.busy() || export_.busy(); }
@@ -74,6 +77,7 @@ private:
     void accept(ProbeWork work, std::shared_ptr<const measure::BufferSample> sample);
     void draw_lines();
     void set_values();
+    void upload(std::span<const float> values);
 
     ui::ProbeOptions options_;
     ui::Jump buffer_jump_;
@@ -90,6 +94,9 @@ private:
     std::vector<view::LineSegment> lines_;  // of work_
     gl::Buffer value_buffer_;
     BallValue value_shown_ = BallValue::none;
+    enum class Difference : std::uint8_t { not_checked, none, some };
+    Difference difference_ = Difference::not_checked;
+    std::uint64_t difference_revision_ = 0;
     float value_low_ = 0.0f;
     float value_high_ = 1.0f;
     struct Arrived {

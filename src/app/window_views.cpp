@@ -140,8 +140,11 @@ void Views::want(Inspector& inspector, const ui::ViewOptions& view, const ui::In
 }
 
 void Views::update(Session& session, const Inspector& inspector, const ui::Inspection& inspection,
-                   const ui::ViewOptions& view, bool running, double now_s) {
+                   const ui::ViewOptions& view, const ui::LiveCheckState& check, bool running, double now_s) {
     probe_.update(session, inspector, inspection, view.colour, running);
+    if (view.colour == ui::BallColour::difference) {
+        probe_.take_differences(check, session.simulation().schedule().ball_count, session.revision());
+    }
     follow_split(session, running, now_s);
 }
 

@@ -42,7 +42,7 @@ public:
     void want(Inspector& inspector, const ui::ViewOptions& view, const ui::Inspection& inspection) const;
     /// After Inspector::update(); `now_s` of the window's clock.
     void update(Session& session, const Inspector& inspector, const ui::Inspection& inspection,
-                const ui::ViewOptions& view, bool running, double now_s);
+                const ui::ViewOptions& view, const ui::LiveCheckState& check, bool running, double now_s);
     bool working() const { return probe_.working(); }
     std::string take_message();
 

@@ -193,4 +193,12 @@ std::vector<float> radius_values(const BufferSample& sample) {
     return values;
 }
 
+std::vector<float> difference_values(std::span<const vec4> a, std::span<const vec4> b) {
+    assert(a.size() == b.size());
+    std::vector<float> values(a.size());
+    std::ranges::transform(a, b, values.begin(),
+                           [](const vec4& x, const vec4& y) { return glm::distance(vec3(x), vec3(y)); });
+    return values;
+}
+
 }  // namespace ballpit::measure

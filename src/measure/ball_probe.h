@@ -75,5 +75,7 @@ FoundPairs found_pairs(const BufferSample& sample);
 std::vector<float> slot_values(const BufferSample& sample);
 std::vector<float> contact_values(const FoundPairs& pairs, std::size_t balls);
 std::vector<float> radius_values(const BufferSample& sample);
+/// Lengths of the differences of the first three components.
+std::vector<float> difference_values(std::span<const vec4> a, std::span<const vec4> b);
 
 }  // namespace ballpit::measure

@@ -112,7 +112,7 @@ void cell_table(const ProbeState& view, ProbeOptions& options, bool& changed, Co
         const bool chosen = i == static_cast<std::size_t>(options.cell_order.column);
         ImGui::TableSetupColumn(headings[i],
                                 ImGuiTableColumnFlags_WidthStretch | (chosen ? ImGuiTableColumnFlags_DefaultSort : 0),
-                                i == 0 || i == 4 || i == 5 ? 1.5f : 1.0f);
+                                i == 0 || i >= 4 ? 1.5f : 1.0f);
     }
     ImGui::TableHeadersRow();
     take_sorting(options, changed);

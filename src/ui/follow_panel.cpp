@@ -10,7 +10,8 @@ namespace ballpit::ui {
 
 namespace {
 
-constexpr std::size_t most_runs = 9;  // rows of cells that 27 cells make
+const ImVec4 touched_text{1.0f, 0.62f, 0.30f, 1.0f};  // as its ring in the picture, lighter
+constexpr std::size_t most_runs = 9;                  // rows of cells that 27 cells make
 
 std::string vector_text(const vec3& v) {
     return "(" + short_number(static_cast<double>(v.x)) + ", " + short_number(static_cast<double>(v.y)) + ", " +
@@ -100,7 +101,9 @@ void neighbour_line(const measure::NeighbourRow& row, Commands& commands) {
     text(short_number(static_cast<double>(row.distance)));
     ImGui::TableNextColumn();
     if (row.touches) {
+        ImGui::PushStyleColor(ImGuiCol_Text, touched_text);
         text("● " + short_number(static_cast<double>(row.overlap)));
+        ImGui::PopStyleColor();
     } else {
         dim_text("apart " + short_number(-static_cast<double>(row.overlap)));
     }

@@ -13,7 +13,7 @@ enum class BackendChoice : std::uint8_t { automatic, gpu, cpu };
 inline constexpr std::array<std::string_view, 3> backend_choice_names = {"auto", "gpu", "cpu"};
 
 enum class Look : std::uint8_t { model, impostor };
-enum class BallColour : std::uint8_t { tinted, plain, speed, cell, slot, contacts, radius };
+enum class BallColour : std::uint8_t { tinted, plain, speed, cell, slot, contacts, radius, difference };
 /// Whether the colour is a number that is read back and worked out first.
 constexpr bool is_worked_out(BallColour colour) { return colour >= BallColour::slot; }
 

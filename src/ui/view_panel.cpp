@@ -9,8 +9,9 @@ namespace ballpit::ui {
 
 namespace {
 
-constexpr std::array<const char*, 7> colour_names = {
-    "a tint for each ball", "texture only", "speed", "grid cell", "slot", "contacts", "radius"};
+constexpr std::array<const char*, 8> colour_names = {
+    "a tint for each ball",    "texture only", "speed", "grid cell", "slot", "contacts", "radius",
+    "difference to the mirror"};
 
 bool look_row(ViewOptions& view) {
     row_label("Look", "A model of triangles, or a sphere found by ray in each pixel: cheaper for many balls.");
