@@ -2,6 +2,7 @@
 // One instance of the model a ball, straight from the physics' buffers.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/ball_value.glsl"
 #include "shared/fade_ball.glsl"
 
 #ifdef FADED
@@ -13,7 +14,6 @@ layout(location = 1) in vec3 vertex_normal;
 layout(location = 2) in vec2 vertex_uv;
 layout(location = 3) in vec4 ball;       // centre, radius
 layout(location = 4) in vec4 velocity;   // velocity, mass
-layout(location = 6) in float value;
 
 out vec3 place;
 out vec3 normal;
@@ -26,7 +26,11 @@ void main() {
     place = ball.xyz + ball.w * turned(turn, vertex);
     normal = turned(turn, vertex_normal);
     uv = vertex_uv;
-    tint = ball_tint(id, ball.xyz, velocity.xyz, value);
+#ifdef VALUED
+    tint = vec4(value_colour(), 1.0);
+#else
+    tint = ball_tint(id, ball.xyz, velocity.xyz);
+#endif
     bool drawn = is_finite(ball);
 #ifdef FADED
     shown = presence_of(ball);

@@ -3,6 +3,7 @@
 // cone of all rays from the eye that touch the sphere.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/ball_value.glsl"
 #include "shared/fade_ball.glsl"
 
 #ifdef FADED
@@ -12,7 +13,6 @@ uniform bool ghosts;                     // see-through balls, or all others
 layout(location = 0) in vec2 corner;     // -1 or 1
 layout(location = 3) in vec4 ball;       // centre, radius
 layout(location = 4) in vec4 velocity;   // velocity, mass
-layout(location = 6) in float value;
 
 out vec3 ray;                            // from the eye to the square
 flat out vec4 sphere;
@@ -41,7 +41,11 @@ void main() {
     uint id = uint(gl_InstanceID);
     ray = place - frame.eye;
     sphere = ball;
-    tint = ball_tint(id, ball.xyz, velocity.xyz, value);
+#ifdef VALUED
+    tint = vec4(value_colour(), 1.0);
+#else
+    tint = ball_tint(id, ball.xyz, velocity.xyz);
+#endif
     turn = ball_turn(id);
     texel_scale = length(axis) / (pi * ball.w * frame.pixels_per_radian);
     gl_Position = frame.view_projection * vec4(place, 1.0);

@@ -6,8 +6,6 @@ bool is_finite(vec4 v) {
     return all(notEqual(exponent, uvec4(0x7F800000u)));
 }
 
-bool is_nan(float v) { return (floatBitsToUint(v) & 0x7FFFFFFFu) > 0x7F800000u; }
-
 uint scrambled(uint x) {
     x = (x ^ (x >> 16)) * 0x7FEB352Du;
     x = (x ^ (x >> 15)) * 0x846CA68Bu;
@@ -23,24 +21,8 @@ vec4 ball_turn(uint ball) {
 
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
-// view::value_colour, in linear light.
-vec3 value_colour(float value) {
-    if (is_nan(value)) {
-        return frame.no_value_colour;
-    }
-    if (frame.value_palette == PALETTE_CATEGORICAL) {
-        bool whole = value >= 0.0 && value < 4294967040.0;
-        return whole ? frame.categorical[uint(value) % uint(CATEGORICAL_COLOURS)].rgb : frame.no_value_colour;
-    }
-    float t = (value - frame.value_low) / max(frame.value_high - frame.value_low, 1e-30);
-    return frame.value_palette == PALETTE_DIVERGING ? diverging_colour(t) : sequential_colour(t);
-}
-
 // Colour for ball_surface.glsl; w: 1 where it tells a quantity, 0 for a hint that tells neighbours apart.
-vec4 ball_tint(uint ball, vec3 centre, vec3 velocity, float value) {
-    if (frame.ball_colour == COLOUR_VALUE) {
-        return vec4(value_colour(value), 1.0);
-    }
+vec4 ball_tint(uint ball, vec3 centre, vec3 velocity) {
     if (frame.ball_colour == COLOUR_SPEED) {
         return vec4(sequential_colour(length(velocity) / frame.top_speed), 1.0);
     }

@@ -11,7 +11,6 @@
 #define COLOUR_PLAIN 1u
 #define COLOUR_SPEED 2u
 #define COLOUR_CELL 3u
-#define COLOUR_VALUE 4u
 
 #define PALETTE_SEQUENTIAL 0u     // view::Palette
 #define PALETTE_DIVERGING 1u

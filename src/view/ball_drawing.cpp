@@ -44,6 +44,10 @@ void point_at(gl::VertexArray& array, Location location, const gl::Buffer* buffe
     glVertexAttrib1f(location, otherwise);
 }
 
+bool shows_values(const Picture& picture) {
+    return picture.ball_colour == BallColour::value && picture.values != nullptr;
+}
+
 bool cuts_away(const Picture& picture) {
     const std::optional<GridSlice>& slice = picture.overlay->slice;
     return slice && slice->cut_away && slice_plane(picture.grid, *slice, picture.camera.position);
@@ -51,12 +55,16 @@ bool cuts_away(const Picture& picture) {
 
 }  // namespace
 
-BallDrawing::Programs::Programs(const std::filesystem::path& shader_folder, const std::string& stem)
-    : whole(load_view_program(shader_folder, stem)), faded(load_view_program(shader_folder, stem, {"FADED"})) {}
+BallDrawing::Programs::Programs(const std::filesystem::path& shader_folder, const std::string& stem,
+                                std::vector<std::string_view> defines)
+    : whole(load_view_program(shader_folder, stem, defines)) {
+    defines.emplace_back("FADED");
+    faded = load_view_program(shader_folder, stem, defines);
+}
 
 BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model& model)
-    : model_programs_(shader_folder, "ball"),
-      impostor_programs_(shader_folder, "ball_impostor"),
+    : model_programs_{{shader_folder, "ball"}, {shader_folder, "ball", {"VALUED"}}},
+      impostor_programs_{{shader_folder, "ball_impostor"}, {shader_folder, "ball_impostor", {"VALUED"}}},
       shadow_programs_(shader_folder, "ball_shadow"),
       contact_programs_(shader_folder, "ball_contact"),
       arrow_programs_(shader_folder, "arrow") {
@@ -73,6 +81,12 @@ const gl::Program& BallDrawing::use(const Programs& programs) const {
     return program;
 }
 
+const gl::Program& BallDrawing::use(const LookPrograms& programs, const Picture& picture, bool ghosts) const {
+    const gl::Program& program = use(shows_values(picture) ? programs.valued : programs.usual);
+    glUniform1i(program.uniform("ghosts"), ghosts ? 1 : 0);
+    return program;
+}
+
 // The buffers change places every substep, hence anew for each picture. Without velocities the positions stand in:
 // no shader then looks at them.
 void BallDrawing::point_at_balls(gl::VertexArray& array, const Picture& picture) const {
@@ -80,7 +94,7 @@ void BallDrawing::point_at_balls(gl::VertexArray& array, const Picture& picture)
     array.floats(at_ball, *picture.positions, 4, sizeof(vec4), 0, 1);
     array.floats(at_velocity, velocities, 4, sizeof(vec4), 0, 1);
     point_at(array, at_presence, presences_.empty() ? nullptr : &presence_buffer_, presence_);
-    point_at(array, at_value, picture.ball_colour == BallColour::value ? picture.values : nullptr, 0.0f);
+    point_at(array, at_value, shows_values(picture) ? picture.values : nullptr, 0.0f);
 }
 
 void BallDrawing::prepare(const Picture& picture) {
@@ -196,8 +210,7 @@ void BallDrawing::draw_look(const Picture& picture, bool ghosts) {
     const auto balls = static_cast<GLsizei>(picture.ball_count);
     if (picture.look == Look::impostor) {
         point_at_balls(square_array_, picture);
-        const gl::Program& program = use(impostor_programs_);
-        glUniform1i(program.uniform("ghosts"), ghosts ? 1 : 0);
+        const gl::Program& program = use(impostor_programs_, picture, ghosts);
         use_surface(program, meshes_.front().surfaces.front());
         square_array_.bind();
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, square_corners, balls);
@@ -205,8 +218,7 @@ void BallDrawing::draw_look(const Picture& picture, bool ghosts) {
     }
     Mesh& mesh = mesh_for(picture);
     point_at_balls(mesh.array, picture);
-    const gl::Program& program = use(model_programs_);
-    glUniform1i(program.uniform("ghosts"), ghosts ? 1 : 0);
+    const gl::Program& program = use(model_programs_, picture, ghosts);
     mesh.array.bind();
     (mesh.closed ? glEnable : glDisable)(GL_CULL_FACE);
     for (const Surface& surface : mesh.surfaces) {

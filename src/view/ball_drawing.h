@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gl/buffer.h"
@@ -34,11 +35,18 @@ public:
     void draw_arrows(const Picture& picture);
 
 private:
-    // With and without balls that are see-through or left out: only who asks for them pays for thrown-away pixels.
+    // Without and with what only some pictures ask for, so that the others do not pay.
     struct Programs {
-        Programs(const std::filesystem::path& shader_folder, const std::string& stem);
+        Programs(const std::filesystem::path& shader_folder, const std::string& stem,
+                 std::vector<std::string_view> defines = {});
         gl::Program whole;
-        gl::Program faded;
+        gl::Program faded;  // some balls see-through or left out
+    };
+
+    // Of one look, for balls coloured as such or by value.
+    struct LookPrograms {
+        Programs usual;
+        Programs valued;
     };
 
     struct Surface {
@@ -61,12 +69,13 @@ private:
     static Mesh make_mesh(const Model& model);
     Mesh& mesh_for(const Picture& picture);
     const gl::Program& use(const Programs& programs) const;
+    const gl::Program& use(const LookPrograms& programs, const Picture& picture, bool ghosts) const;
     void point_at_balls(gl::VertexArray& array, const Picture& picture) const;
     void draw_look(const Picture& picture, bool ghosts);
     void use_surface(const gl::Program& program, const Surface& surface) const;
 
-    Programs model_programs_;
-    Programs impostor_programs_;
+    LookPrograms model_programs_;
+    LookPrograms impostor_programs_;
     Programs shadow_programs_;
     Programs contact_programs_;
     Programs arrow_programs_;

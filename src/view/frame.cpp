@@ -14,8 +14,7 @@ namespace {
 static_assert(static_cast<unsigned>(BallColour::tinted) == COLOUR_TINTED &&
               static_cast<unsigned>(BallColour::plain) == COLOUR_PLAIN &&
               static_cast<unsigned>(BallColour::speed) == COLOUR_SPEED &&
-              static_cast<unsigned>(BallColour::cell) == COLOUR_CELL &&
-              static_cast<unsigned>(BallColour::value) == COLOUR_VALUE);
+              static_cast<unsigned>(BallColour::cell) == COLOUR_CELL);
 static_assert(static_cast<unsigned>(Palette::sequential) == PALETTE_SEQUENTIAL &&
               static_cast<unsigned>(Palette::diverging) == PALETTE_DIVERGING &&
               static_cast<unsigned>(Palette::categorical) == PALETTE_CATEGORICAL);
@@ -43,21 +42,13 @@ void fill_palette(vec4 (&colours)[N], const std::array<vec3, N>& palette) {
     }
 }
 
-bool can_colour(const Picture& picture) {
-    switch (picture.ball_colour) {
-        case BallColour::speed:
-            return picture.velocities != nullptr;
-        case BallColour::value:
-            return picture.values != nullptr;
-        default:
-            return true;
-    }
-}
-
 void fill_colours(layout::FrameParams& frame, const Picture& picture) {
     frame.top_count = static_cast<float>(picture.top_count);
     frame.top_speed = std::max(picture.top_speed, 1e-6f);
-    frame.ball_colour = can_colour(picture) ? static_cast<layout::uint>(picture.ball_colour) : COLOUR_TINTED;
+    // Values have programs of their own; where there are none, or no velocities, nothing else is told either.
+    const bool no_speeds = picture.ball_colour == BallColour::speed && picture.velocities == nullptr;
+    const bool tinted = no_speeds || picture.ball_colour == BallColour::value;
+    frame.ball_colour = tinted ? COLOUR_TINTED : static_cast<layout::uint>(picture.ball_colour);
     frame.value_palette = static_cast<layout::uint>(picture.value_palette);
     frame.value_low = picture.value_low;
     frame.value_high = picture.value_high;
