@@ -240,7 +240,9 @@ void Window::frame() {
     look_inside(seconds_between(start_, now));
     measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
     for (std::string message : {views_.take_message(), session_.take_message()}) {
-        message_ = message.empty() ? std::move(message_) : std::move(message);
+        if (!message.empty()) {
+            message_ = std::move(message);
+        }
     }
 
     gui_.begin_frame(text_size_);
