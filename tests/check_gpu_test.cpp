@@ -113,6 +113,14 @@ TEST_CASE_METHOD(GlFixture, "a ball's own restitution agrees with the mirror", "
     check_scene(scene, scene.settings, 0, 4);
 }
 
+TEST_CASE_METHOD(GlFixture, "balls at the same place agree with the mirror", "[gpu-check]") {
+    Scene scene = test::shipped_scene("newtons_cradle");
+    for (BallSpec& ball : scene.balls) {
+        ball.position = {0.3, -0.2, 0.1};
+    }
+    check_scene(scene, scene.settings, 0, 2);
+}
+
 TEST_CASE_METHOD(GlFixture, "a whole run on the GPU is the mirror's run, to the last bit", "[gpu-check]") {
     const Scene scene = test::shipped_scene("rain");
     Settings settings = scene.settings;

@@ -46,6 +46,13 @@ inline void run_stage(Backend& backend, const SubstepSetup& setup, Stage stage) 
     backend.run(setup.schedule, setup.params, first, last);
 }
 
+inline void run_all(Backend& backend, const BallState& state, const SubstepSetup& setup) {
+    backend.load(state, setup.schedule, setup.settings.limit_force);
+    backend.run(setup.schedule, setup.params, 0, setup.schedule.dispatches.size());
+}
+
+inline Status status_of(Backend& backend) { return read_slot<Status>(backend, Slot::status).at(0); }
+
 template <class T>
 void write_slot(Backend& backend, Slot slot, const std::vector<T>& elements) {
     backend.write(slot, std::as_bytes(std::span(elements)));
