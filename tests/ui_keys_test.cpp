@@ -82,6 +82,7 @@ TEST_CASE("arrows and a clicker's keys step forth and back", "[ui]") {
     CHECK(action_of(key(SDLK_AMPERSAND, KMOD_NONE, SDL_SCANCODE_1), false) == Action::unit_pass);  // a French keyboard
     CHECK(action_of(key(SDLK_F2), false) == Action::toggle_stepper);
     CHECK(action_of(key(SDLK_m), false) == Action::toggle_microscope);
+    CHECK(action_of(key(SDLK_m, KMOD_LSHIFT), false) == Action::microscope_size);
     CHECK(action_of(key(SDLK_k), false) == Action::toggle_live_check);
     CHECK(action_of(key(SDLK_j), false) == Action::show_differences);
 }

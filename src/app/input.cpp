@@ -46,7 +46,7 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
         case SDLK_F2:
             return Action::toggle_stepper;
         case SDLK_m:
-            return Action::toggle_microscope;
+            return (key.mod & KMOD_SHIFT) != 0 ? Action::microscope_size : Action::toggle_microscope;
         case SDLK_k:
             return Action::toggle_live_check;
         case SDLK_j:

@@ -35,6 +35,7 @@ constexpr std::array<KeyRow, action_count> keys = {{
     {Action::unit_step, "4", "4", "Unit: a step"},
     {Action::toggle_stepper, "F2", "F2", "The strip of dispatches, to look inside a step"},
     {Action::toggle_microscope, "M", "M", "Microscope of the bitonic sort"},
+    {Action::microscope_size, "Shift+M", "Shift+M", "It shows 16, 64 or all slots"},
     {Action::toggle_live_check, "K", "K", "Check every stage against the mirror"},
     {Action::show_differences, "J", "J", "What the check found, stage by stage"},
     {Action::toggle_follow, "F", "F", "Follow one ball: click it"},

@@ -33,6 +33,7 @@ enum class Action : std::uint8_t {
     unit_step,
     toggle_stepper,
     toggle_microscope,
+    microscope_size,
     toggle_live_check,
     show_differences,
     toggle_follow,
@@ -52,7 +53,7 @@ enum class Action : std::uint8_t {
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 42;
+inline constexpr std::size_t action_count = 43;
 
 struct KeyRow {
     Action action;
@@ -64,7 +65,7 @@ struct KeyRow {
 /// One row an action, in the order of the help page: first those of the window, then `stepping_actions` to look
 /// inside a step.
 std::span<const KeyRow> key_table();
-inline constexpr std::size_t stepping_actions = 28;
+inline constexpr std::size_t stepping_actions = 29;
 
 /// The short form for the space beside a control.
 std::string_view key_hint(Action action);

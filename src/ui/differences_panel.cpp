@@ -80,13 +80,13 @@ void difference_row(const SlotDifference& difference, std::uint32_t element, con
     text(distance(difference, element));
 }
 
-// Lines of text that a table takes: where the microscope is open, too, there is room for a few only.
-float table_rows(const SlotDifference& difference, const State& state) {
-    return std::min(static_cast<float>(difference.differing.size()) + 1.6f, state.view.microscope ? 3.6f : 8.6f);
+// Lines of text that a table takes.
+float table_rows(const SlotDifference& difference) {
+    return std::min(static_cast<float>(difference.differing.size()) + 1.6f, 8.6f);
 }
 
 void difference_table(const SlotDifference& difference, const State& state, Commands& commands) {
-    const float rows = table_rows(difference, state);
+    const float rows = table_rows(difference);
     std::string names;
     for (const measure::SlotColumn& column : measure::slot_columns(difference.slot)) {
         names += (names.empty() ? "" : "  ") + std::string(column.name);
@@ -123,7 +123,7 @@ float differences_height(const State& state) {
     for (const SlotDifference& difference :
          state.stepping->check.stages[static_cast<std::size_t>(state.stepping->check.shown.value_or(Stage{}))]
              .differences) {
-        lines += 1.0f + table_rows(difference, state);
+        lines += 1.0f + table_rows(difference);
     }
     return lines * ImGui::GetTextLineHeightWithSpacing() + 2.0f * em();
 }

@@ -318,8 +318,9 @@ std::string mebibytes(std::size_t bytes) {
 
 void budget_choice(const Strip& strip) {
     const SteppingState& stepping = strip.stepping;
-    const std::string used =
-        format("%zu checkpoints, %s of", stepping.checkpoint_count, mebibytes(stepping.checkpoint_bytes).c_str());
+    const std::string used = format("%zu %s, %s of", stepping.checkpoint_count,
+                                    stepping.checkpoint_count == 1 ? "checkpoint" : "checkpoints",
+                                    mebibytes(stepping.checkpoint_bytes).c_str());
     const float combo = 6.4f * em();
     const float wide = ImGui::CalcTextSize(used.c_str()).x + ImGui::GetStyle().ItemSpacing.x + combo;
     ImGui::SameLine(std::max(ImGui::GetStyle().WindowPadding.x + strip.width - wide, 0.0f));

@@ -19,7 +19,7 @@ void differences_panel(const State& state, Commands& commands);
 void draw_stepping_windows(const State& state, Commands& commands);
 /// Pixels that the strip takes at the bottom of the window; 0 while it is closed.
 float strip_height(const State& state);
-/// The same for the strip and the microscope above it, where they stand when they open.
+/// The same for the strip and what stands above it: the microscope, or the table of differences.
 float covered_height(const State& state);
 
 /// Pixels of the window of differences, at most.

@@ -80,10 +80,11 @@ float strip_height(const State& state) {
 }
 
 float covered_height(const State& state) {
-    const bool microscope = state.view.microscope && state.stepping != nullptr;
-    const bool differences = state.stepping != nullptr && state.stepping->check.shown;
-    return strip_height(state) + (microscope ? microscope_height * em() + margin() : 0.0f) +
-           (differences ? differences_height(state) : 0.0f);
+    const float strip = strip_height(state);
+    if (state.stepping != nullptr && state.stepping->check.shown) {
+        return strip + differences_height(state);
+    }
+    return strip + (state.view.microscope && state.stepping != nullptr ? microscope_height * em() + margin() : 0.0f);
 }
 
 void draw_stepping_windows(const State& state, Commands& commands) {
@@ -94,13 +95,12 @@ void draw_stepping_windows(const State& state, Commands& commands) {
         strip_window(state, commands);
     }
     const float strip = strip_height(state);
-    if (state.view.microscope &&
+    const bool differences = state.stepping->check.shown.has_value();  // one of the two: there is no room for both
+    if (state.view.microscope && !differences &&
         !tool_window(state, "Bitonic sort", strip, [&] { microscope_panel(state, commands); })) {
         commands.push_back(Action::toggle_microscope);
     }
-    if (state.stepping->check.shown &&
-        !tool_window(state, "Differences", strip + (state.view.microscope ? microscope_height * em() + margin() : 0.0f),
-                     [&] { differences_panel(state, commands); })) {
+    if (differences && !tool_window(state, "Differences", strip, [&] { differences_panel(state, commands); })) {
         commands.push_back(ShowDifferences{});
     }
 }

@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# Takes the pictures of the views for the documentation from the running program: docs/screenshots.sh BALLPIT [NAME...]
+# Needs Xvfb, xdotool and ImageMagick. Without names: all. Every picture starts the program anew, so that each
+# stands for itself; keys do what F1 says they do.
+set -euo pipefail
+
+binary=$(realpath "$1")
+shift
+here=$(cd "$(dirname "$0")" && pwd)
+images=$here/images
+work=$(mktemp -d)
+app=
+
+stop_app() {
+    [ -z "$app" ] || kill "$app" 2>/dev/null || true
+    [ -z "$app" ] || wait "$app" 2>/dev/null || true
+    app=
+}
+cleanup() {
+    stop_app
+    [ -z "${display_server:-}" ] || kill "$display_server" 2>/dev/null || true
+    rm -rf "$work"
+}
+trap cleanup EXIT
+
+for tool in Xvfb xdotool import convert; do
+    command -v "$tool" >/dev/null || { echo "$tool is missing" >&2; exit 1; }
+done
+Xvfb -displayfd 3 -screen 0 1280x720x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
+display_server=$!
+until [ -s "$work/display" ]; do sleep 0.1; done
+DISPLAY=:$(cat "$work/display")
+export DISPLAY SDL_VIDEODRIVER=x11
+
+# ---- What a picture is made of
+
+open() {   # open ARGUMENTS...: the program, with its window
+    "$binary" "$@" >/dev/null 2>&1 &
+    app=$!
+    until window=$(xdotool search --onlyvisible --name "Ball Pit" 2>/dev/null | tail -n 1) && [ -n "$window" ]; do
+        sleep 0.1
+    done
+    xdotool windowfocus "$window"
+    point 640 4
+    settle
+}
+key() { for name in "$@"; do xdotool key --delay 40 "$name"; sleep 0.1; done; }
+times() {   # times COUNT KEY
+    local i
+    for ((i = 0; i < $1; ++i)); do key "$2"; done
+}
+point() {   # in two moves, as a hand does
+    xdotool mousemove --window "$window" $(($1 + 3)) $(($2 + 2))
+    sleep 0.2
+    xdotool mousemove --window "$window" "$1" "$2"
+    sleep 0.2
+}
+click() {
+    point "$1" "$2"
+    sleep 0.4
+    xdotool click 1
+}
+sum() { import -window "$window" rgb:- | cksum; }
+settle() {   # until four looks are the same; what blinks never settles
+    local before='' now same=0 tries
+    for ((tries = 0; tries < 40 && same < 3; ++tries)); do
+        now=$(sum)
+        [ "$now" = "$before" ] && same=$((same + 1)) || same=0
+        before=$now
+        sleep 0.7
+    done
+}
+take() {   # take NAME
+    settle
+    import -window "$window" "$work/shot.png"
+    convert "$work/shot.png" -dither None -colors 256 -define png:compression-level=9 PNG8:"$images/$1.png"
+    echo "$images/$1.png"
+    stop_app
+}
+# A copy of the shaders and assets with one line changed: planted FILE RIGHT WRONG.
+planted() {
+    rm -rf "$work/home"
+    mkdir "$work/home"
+    cp -r "$here/../glsl" "$here/../assets" "$work/home/"
+    grep -qF "$2" "$work/home/glsl/$1" || { echo "$1 has no $2" >&2; exit 1; }
+    python3 - "$work/home/glsl/$1" "$2" "$3" <<'PYTHON'
+import pathlib
+import sys
+
+file, right, wrong = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+file.write_text(file.read_text().replace(right, wrong, 1))
+PYTHON
+}
+
+# ---- The pictures
+
+stepping_strip() {   # the seventeenth pass of a sort, stage by stage checked
+    open --scene rain
+    key 4; times 3 Right
+    key 3; times 2 Right
+    key k
+    key 1; times 18 Right
+    take stepping_strip
+}
+
+stepping_microscope() {   # sixteen slots, one of them explained
+    open --scene rain
+    key m 1; times 14 Right
+    settle
+    point 207 349
+    sleep 1
+    take stepping_microscope
+}
+
+stepping_microscope_64() {   # a pass whose partners lie far apart, and padding
+    open --scene rain --set balls=100
+    key m shift+m 1; times 24 Right
+    take stepping_microscope_64
+}
+
+stepping_microscope_all() {   # all keys, half of the way through
+    open --scene rain
+    key m shift+m shift+m 1; times 58 Right
+    take stepping_microscope_all
+}
+
+stepping_slot_to_ball() {   # a click on a slot, and the camera is there
+    open --scene rain
+    key m 1; times 7 Right
+    click 640 349
+    point 640 4
+    sleep 4
+    take stepping_slot_to_ball
+}
+
+stepping_check() {   # a student's bug: the grid's origin added instead of subtracted
+    planted shared/cells.glsl '(point - params.grid_origin)' '(point + params.grid_origin)'
+    BALLPIT_HOME=$work/home open --scene rain
+    key 4 Right
+    settle
+    key k
+    settle
+    key j
+    take stepping_check
+}
+
+all="stepping_strip stepping_microscope stepping_microscope_64 stepping_microscope_all stepping_slot_to_ball
+    stepping_check"
+
+for picture in ${*:-$all}; do
+    "$picture"
+done
