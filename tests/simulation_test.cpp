@@ -164,6 +164,23 @@ TEST_CASE("a change of a law's value keeps state and clock", "[simulation]") {
     CHECK(simulation.time() == Approx(time + 1.0 / 120.0 / 16.0).epsilon(1e-15));
 }
 
+TEST_CASE("a change of the restitution reaches the balls that have none of their own", "[simulation]") {
+    Scene scene = free_fall();
+    scene.laws.contact = true;
+    scene.balls.push_back({{0, 0, 5}, {0, 0, 0}, 0.1, 1.0, 0.9});
+    scene.settings.balls = 2;
+    Simulation simulation = simulation_of(scene, 2);
+    const auto before = read_slot<float>(simulation.backend(), Slot::damping_ratios);
+    Settings settings = simulation.settings();
+    settings.restitution = 0.5;
+    simulation.change(settings);
+    const auto after = read_slot<float>(simulation.backend(), Slot::damping_ratios);
+    REQUIRE(before.size() == 2);
+    REQUIRE(after.size() == 2);
+    CHECK(after[0] > before[0]);
+    CHECK(after[1] == before[1]);
+}
+
 TEST_CASE("a change of the integrator keeps positions and brings velocities to their time", "[simulation]") {
     Simulation simulation = rain(100);
     run(simulation, 7);

@@ -45,11 +45,11 @@ void Simulation::load_world(const World& world) {
 }
 
 void Simulation::load_state(const BallState& state) {
-    restitutions_ = state.restitutions;
+    restitutions_ = ball_restitutions(scene_, settings_.restitution, state.count());
     velocity_lag_ = state.velocity_lag;
     largest_radius_ = largest_radius(state.positions);
     schedule_ = wanted_schedule(state.count());
-    backend_->load(state, schedule_, settings_.limit_force);
+    backend_->load({state.positions, state.velocities, restitutions_, velocity_lag_}, schedule_, settings_.limit_force);
 }
 
 Schedule Simulation::wanted_schedule(std::uint32_t ball_count) const {
@@ -119,7 +119,8 @@ void Simulation::change(const Settings& wanted) {
     rebase_clock();
     const bool other_count = wanted.balls != settings_.balls;
     const bool other_program = scene_features(scene_, wanted) != schedule_.features;
-    if (other_count || other_program) {
+    const bool other_damping = wanted.restitution != settings_.restitution && !restitutions_.empty();
+    if (other_count || other_program || other_damping) {
         World world;
         if (other_count) {
             world = make_world(scene_, wanted.balls, seed_);  // may throw: nothing has changed yet

@@ -90,12 +90,9 @@ dvec3 random_direction(std::uint64_t seed, std::uint64_t ball) {
     return {ring * std::cos(angle), ring * std::sin(angle), z};
 }
 
-void add_ball(BallState& balls, const BallSpec& spec, double scene_restitution, bool own_restitutions) {
+void add_ball(BallState& balls, const BallSpec& spec) {
     balls.positions.emplace_back(vec3(spec.position), static_cast<float>(spec.radius));
     balls.velocities.emplace_back(vec3(spec.velocity), static_cast<float>(spec.mass));
-    if (own_restitutions) {
-        balls.restitutions.push_back(static_cast<float>(spec.restitution.value_or(scene_restitution)));
-    }
 }
 
 BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, const PlacedBalls& placed,
@@ -126,6 +123,17 @@ BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, con
 
 }  // namespace
 
+std::vector<float> ball_restitutions(const Scene& scene, double scene_restitution, std::uint32_t count) {
+    if (std::ranges::none_of(scene.balls, [](const BallSpec& b) { return b.restitution.has_value(); })) {
+        return {};
+    }
+    std::vector<float> restitutions(count, static_cast<float>(scene_restitution));
+    for (std::size_t i = 0; i < std::min<std::size_t>(count, scene.balls.size()); ++i) {
+        restitutions[i] = static_cast<float>(scene.balls[i].restitution.value_or(scene_restitution));
+    }
+    return restitutions;
+}
+
 World make_world(const Scene& scene, std::uint32_t count, std::uint64_t seed) {
     const auto listed = static_cast<std::uint32_t>(scene.balls.size());
     if (count > listed && !scene.fill) {
@@ -136,11 +144,11 @@ World make_world(const Scene& scene, std::uint32_t count, std::uint64_t seed) {
     const dvec3 scale{wide, wide, 1.0};
     World world;
     world.half_extent = scene.half_extent * scale;
-    const bool own = std::ranges::any_of(scene.balls, [](const BallSpec& b) { return b.restitution.has_value(); });
+    world.balls.restitutions = ball_restitutions(scene, scene.settings.restitution, count);
     world.balls.positions.reserve(count);
     world.balls.velocities.reserve(count);
     for (std::uint32_t i = 0; i < std::min(count, listed); ++i) {
-        add_ball(world.balls, scene.balls[i], scene.settings.restitution, own);
+        add_ball(world.balls, scene.balls[i]);
     }
     if (count <= listed) {
         return world;
@@ -154,8 +162,7 @@ World make_world(const Scene& scene, std::uint32_t count, std::uint64_t seed) {
     PlacedBalls placed(lower, upper, 2.0 * largest_radius, count);
     for (std::uint32_t i = 0; i < count; ++i) {
         if (i >= listed) {
-            add_ball(world.balls, fill_ball(*scene.fill, lower, upper, placed, world.balls, seed, world.overlapping),
-                     scene.settings.restitution, own);
+            add_ball(world.balls, fill_ball(*scene.fill, lower, upper, placed, world.balls, seed, world.overlapping));
         }
         placed.add(world.balls.positions[i], i);
     }

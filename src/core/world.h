@@ -12,6 +12,9 @@ struct World {
     std::uint32_t overlapping = 0;  // balls of the fill that found no free place
 };
 
+/// The restitution of each ball: its own, else the scene's as it is set now. Empty where no ball has its own.
+std::vector<float> ball_restitutions(const Scene& scene, double scene_restitution, std::uint32_t count);
+
 /// The first `scene.settings.balls`-like count of balls: those listed first, then the fill, which goes on as
 /// long as `count` asks for more (the fill's own count is only the default). Ball i is the same for every
 /// count at which the box is as wide. Throws InputError if more balls are asked for than the scene can
