@@ -49,10 +49,10 @@ times() {   # times COUNT KEY
     local i
     for ((i = 0; i < $1; ++i)); do key "$2"; done
 }
-point() {   # in two moves, as a hand does
-    xdotool mousemove --window "$window" $(($1 + 3)) $(($2 + 2))
-    sleep 0.2
+point() {   # where there is no hand, only a button makes the place of the pointer known; the right one does nothing here
     xdotool mousemove --window "$window" "$1" "$2"
+    sleep 0.2
+    xdotool click 3
     sleep 0.2
 }
 click() {
@@ -108,7 +108,6 @@ stepping_microscope() {   # sixteen slots, one of them explained
     key m 1; times 14 Right
     settle
     point 207 349
-    sleep 1
     take stepping_microscope
 }
 
@@ -128,8 +127,8 @@ stepping_slot_to_ball() {   # a click on a slot, and the camera is there
     open --scene rain
     key m 1; times 7 Right
     click 640 349
+    sleep 5
     point 640 4
-    sleep 4
     take stepping_slot_to_ball
 }
 
