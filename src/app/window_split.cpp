@@ -64,8 +64,8 @@ void Split::stop() { *this = Split(); }
 
 std::optional<std::string> Split::follow(Session& session) {
     const Simulation& left = session.simulation();
-    if (const auto refusal = brute_force_refusal(left.schedule().ball_count, left.features().has(Feature::contact),
-                                                 left.backend().name())) {
+    if (auto refusal = brute_force_refusal(left.schedule().ball_count, left.features().has(Feature::contact),
+                                           left.backend().name())) {
         stop();
         return refusal;
     }

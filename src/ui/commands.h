@@ -96,8 +96,8 @@ struct ExportSlot {
 
 using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
                              ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
-                             SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe, SelectCellOfBall,
-                             ShowElement, ExportSlot>;
+                             SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
+                             SelectCellOfBall, ShowElement, ExportSlot>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

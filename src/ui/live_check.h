@@ -55,7 +55,7 @@ struct Badge {
 
 /// Red (differs) is what no rounding explains, or a broken invariant. After a red stage the invariants of later ones
 /// are not judged: they stand on what it has left behind.
-Badge stage_badge(const LiveCheckState& check, Stage stage);
+Badge stage_badge(const LiveCheckState& state, Stage stage);
 
 /// What each stage promises, in two or three words.
 std::string_view stage_promise(Stage stage);
