@@ -4,10 +4,13 @@
 #include <limits>
 #include <string>
 
+#include "core/simulation.h"
 #include "cpu/cpu_backend.h"
 #include "measure/comparison.h"
 #include "measure/invariants.h"
+#include "measure/momentum.h"
 #include "support/catch.h"
+#include "support/scenes.h"
 #include "support/substep_setup.h"
 
 using namespace ballpit;
@@ -243,4 +246,29 @@ TEST_CASE("ulp_distance counts floats", "[sabotage]") {
     CHECK(measure::ulp_distance(1.0f, 2.0f) == 1u << 23);
     CHECK(measure::ulp_distance(not_a_number, 1.0f) == std::numeric_limits<std::uint64_t>::max());
     CHECK(measure::ulp_distance(not_a_number, not_a_number) == 0);
+}
+
+TEST_CASE("momentum_balanced finds a ball that was pushed by nothing", "[sabotage]") {
+    const Scene scene = test::shipped_scene("pile");
+    Settings settings = scene.settings;
+    settings.balls = 200;
+    Simulation simulation(scene, settings, 42, std::make_unique<cpu::CpuBackend<float>>());
+    for (int i = 0; i < 60; ++i) {
+        simulation.step();
+    }
+    Backend& backend = simulation.backend();
+    backend.run(simulation.schedule(), simulation.params(), 0, simulation.schedule().dispatches.size());
+    const auto positions = read_slot<vec4>(backend, Slot::positions);
+    const auto velocities = read_slot<vec4>(backend, Slot::velocities);
+    auto next = read_slot<vec4>(backend, Slot::next_velocities);
+    const auto balance = [&] {
+        return measure::momentum_balanced(simulation.params(), simulation.features(), positions, velocities, {}, next);
+    };
+    CHECK_FALSE(balance());
+    next[17].z += 0.01f;
+    CHECK(balance());
+    next[17].z -= 0.01f;
+    next[3].x *= -1.0f;
+    next[3].x += 0.5f;
+    CHECK(balance());
 }

@@ -92,9 +92,11 @@ TEST_CASE("a change in the middle of a substep starts the substep again and forg
 }
 
 TEST_CASE("checkpoints thin out towards the past and stay within the budget", "[stepper]") {
-    Timeline timeline(100 * 1000);
+    constexpr std::size_t bytes = 1000;
+    constexpr std::size_t cost = bytes + checkpoint_overhead;
+    Timeline timeline(100 * cost);
     for (std::uint64_t step = 0; step < 2000; ++step) {
-        timeline.add({step, 0}, checkpoint_of(1000));
+        timeline.add({step, 0}, checkpoint_of(bytes));
         REQUIRE(timeline.used_bytes() <= timeline.budget());
     }
     CHECK(timeline.has({0, 0}));
@@ -107,7 +109,25 @@ TEST_CASE("checkpoints thin out towards the past and stay within the budget", "[
         INFO("step " << step << " starts from " << found);
         CHECK(static_cast<double>(step - found) <= 2.0 + 0.12 * static_cast<double>(1999 - step));
     }
-    timeline.set_budget(10 * 1000);
-    CHECK(timeline.used_bytes() <= 10 * 1000);
+    timeline.set_budget(10 * cost);
+    CHECK(timeline.checkpoint_count() == 10);
+    timeline.set_budget(0);
+    CHECK(timeline.checkpoint_count() == 4);
+    CHECK(timeline.has({1997, 0}));
     CHECK(timeline.has({0, 0}));
+}
+
+TEST_CASE("a slider dragged while paused leaves its last value only, other changes all take hold again", "[stepper]") {
+    Timeline timeline(1u << 20);
+    timeline.add({0, 0}, checkpoint_of(8));
+    Settings settings;
+    for (int i = 0; i < 100; ++i) {
+        settings.drag = 0.01 * i;
+        timeline.change({0, 0}, settings);
+    }
+    REQUIRE(timeline.changes_at({0, 0}).size() == 1);
+    CHECK(timeline.changes_at({0, 0}).front().drag == settings.drag);
+    settings.balls = 7;
+    timeline.change({0, 0}, settings);
+    CHECK(timeline.changes_at({0, 0}).size() == 2);
 }

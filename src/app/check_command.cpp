@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/report.h"
 #include "app/setup.h"
+#include "core/error.h"
 #include "cpu/cpu_backend.h"
 #include "measure/check.h"
 
@@ -66,9 +67,14 @@ void print(const measure::CheckReport& report, const Simulation& simulation) {
 
 int run_check(const Options& options) {
     constexpr std::uint64_t default_steps = 10;
+    if (options.steps == 0u) {
+        throw InputError("--steps 0: expected at least 1 step to check");
+    }
+    if (options.backend == "cpu") {
+        throw InputError("check --backend cpu: the mirror would be compared with itself; expected gpu or auto");
+    }
     const Setup setup = make_setup(options);
-    // Checking the mirror against itself would prove nothing: auto means the GPU here.
-    Device device = open_device(options.backend == "auto" ? "gpu" : options.backend, setup.paths.shaders, false);
+    Device device = open_device("gpu", setup.paths.shaders, false);  // what auto means here
     Simulation simulation = make_simulation(setup, device);
     cpu::CpuBackend<float> mirror;
     const measure::CheckReport report = measure::check(simulation, mirror, options.steps.value_or(default_steps));

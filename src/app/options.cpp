@@ -82,8 +82,12 @@ CLI::App* add_check(CLI::App& app, Options& options) {
 CLI::App* add_bench(CLI::App& app, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Milliseconds per stage");
     add_scene_options(*bench, options);
-    bench->add_option("--balls", options.balls, "Ball counts, such as 1000,5000,20000")->delimiter(',');
-    bench->add_option("--substeps", options.substeps, "Substeps a step, such as 1,8")->delimiter(',');
+    bench->add_option("--balls", options.balls, "Ball counts, such as 1000,5000,20000")
+        ->delimiter(',')
+        ->check(whole_number);
+    bench->add_option("--substeps", options.substeps, "Substeps a step, such as 1,8")
+        ->delimiter(',')
+        ->check(whole_number);
     bench->add_option("--sort", options.sort, "Sorts to compare, such as bitonic,bitonic_fused")->delimiter(',');
     bench->add_option("--steps", options.steps, "Timed steps a row, after as many for warm-up (default 20)")
         ->check(whole_number);

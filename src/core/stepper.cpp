@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <exception>
 
 namespace ballpit {
 
@@ -110,8 +111,13 @@ void Stepper::remember() {
     }
     const std::size_t bytes = std::size_t{simulation_.schedule().ball_count} * 2 * sizeof(vec4);
     const std::size_t interval = bytes * wanted_checkpoints / timeline_.budget() + 1;
-    if (now.step % interval == 0) {
+    if (now.step % interval != 0) {
+        return;
+    }
+    try {
         timeline_.add(now, simulation_.checkpoint());
+    } catch (const std::exception&) {
+        timeline_.set_budget(0);  // the device has no room to remember: what runs goes on, older checkpoints go
     }
 }
 

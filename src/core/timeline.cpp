@@ -6,6 +6,22 @@
 
 namespace ballpit {
 
+namespace {
+
+// The newest ones stay, so that a single dispatch back never means a long replay.
+constexpr std::ptrdiff_t newest_kept = 3;
+
+std::size_t cost(const Checkpoint& checkpoint) { return checkpoint.state->bytes() + checkpoint_overhead; }
+
+// Whether a change to `b` at the moment of a change to `a` leaves nothing of `a`: no balls came or went, and the state
+// was not touched.
+bool replaces(const Settings& a, const Settings& b) {
+    return a.balls == b.balls && a.integrator == b.integrator && a.neighbours == b.neighbours &&
+           a.limit_force == b.limit_force && a.restitution == b.restitution;
+}
+
+}  // namespace
+
 void Timeline::clear() {
     checkpoints_.clear();
     changes_.clear();
@@ -19,7 +35,7 @@ void Timeline::set_budget(std::size_t bytes) {
 }
 
 void Timeline::add(const Moment& moment, Checkpoint&& checkpoint) {
-    const std::size_t bytes = checkpoint.state->bytes();
+    const std::size_t bytes = cost(checkpoint);
     const auto [place, added] = checkpoints_.try_emplace(moment, std::move(checkpoint));
     if (added) {
         used_ += bytes;
@@ -28,11 +44,12 @@ void Timeline::add(const Moment& moment, Checkpoint&& checkpoint) {
 }
 
 void Timeline::shrink() {
-    while (used_ > budget_ && checkpoints_.size() > 2) {
+    while (used_ > budget_ && checkpoints_.size() > newest_kept + 1) {
         const double newest = static_cast<double>(checkpoints_.rbegin()->first.step) + 1.0;
         auto victim = checkpoints_.end();
         double smallest = 0.0;
-        for (auto it = std::next(checkpoints_.begin()); std::next(it) != checkpoints_.end(); ++it) {
+        const auto last = std::prev(checkpoints_.end(), newest_kept);
+        for (auto it = std::next(checkpoints_.begin()); it != last; ++it) {
             const double gap = static_cast<double>(std::next(it)->first.step - std::prev(it)->first.step);
             const double age = newest - static_cast<double>(it->first.step);
             if (victim == checkpoints_.end() || gap / age < smallest) {
@@ -40,7 +57,7 @@ void Timeline::shrink() {
                 smallest = gap / age;
             }
         }
-        used_ -= victim->second.state->bytes();
+        used_ -= cost(victim->second);
         checkpoints_.erase(victim);
     }
 }
@@ -53,10 +70,15 @@ const std::pair<const Moment, Checkpoint>& Timeline::at_or_before(const Moment& 
 
 void Timeline::change(const Moment& moment, const Settings& settings) {
     for (auto it = checkpoints_.lower_bound(moment); it != checkpoints_.end(); it = checkpoints_.erase(it)) {
-        used_ -= it->second.state->bytes();
+        used_ -= cost(it->second);
     }
     changes_.erase(changes_.upper_bound(moment), changes_.end());
-    changes_[moment].push_back(settings);
+    std::vector<Settings>& here = changes_[moment];
+    if (!here.empty() && replaces(here.back(), settings)) {
+        here.back() = settings;  // a slider that is dragged while paused leaves its last value only
+    } else {
+        here.push_back(settings);
+    }
     // On arriving at this step the state was what it was; only what comes after it is open again.
     if (steps_.size() > moment.step + 1) {
         steps_.resize(moment.step + 1);

@@ -21,9 +21,13 @@ struct Moment {
     friend auto operator<=>(const Moment&, const Moment&) = default;
 };
 
+/// What a checkpoint counts for beside the bytes of its state: device buffers are handed out in pages. A guess on the
+/// high side, so that a scene of two balls does not keep millions of them.
+inline constexpr std::size_t checkpoint_overhead = std::size_t{64} * 1024;
+
 class Timeline {
 public:
-    /// Bytes that the checkpoints may take on the device. The first one and the newest stay in any case.
+    /// Bytes that the checkpoints may take on the device. The first one and the newest three stay in any case.
     explicit Timeline(std::size_t budget) : budget_(budget) {}
 
     void clear();

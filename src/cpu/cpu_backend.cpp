@@ -94,12 +94,12 @@ void CpuBackend<Real>::load(const BallState& state, const Schedule& schedule, bo
         damping_ratios_.push_back(static_cast<Real>(zeta));
     }
     status_ = {};
-    requested_ = {};
     reschedule(schedule);
 }
 
 template <class Real>
 void CpuBackend<Real>::reschedule(const Schedule& schedule) {
+    requested_ = {};
     keys_.assign(schedule.key_count, Key{SENTINEL, SENTINEL});
     cell_ranges_.assign(schedule.cell_count, CellRange{0, 0});
 }

@@ -13,6 +13,9 @@ namespace {
 // The copy target disturbs no state that drawing or dispatching looks at.
 constexpr GLenum neutral = GL_COPY_WRITE_BUFFER;
 
+// Older errors are not this buffer's; a lost context would report one for ever.
+constexpr int most_errors = 64;
+
 std::string mebibytes(std::size_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
 
 }  // namespace
@@ -21,7 +24,7 @@ Buffer::Buffer(std::string_view label, std::size_t bytes, GLenum usage) : size_(
     GLuint id = 0;
     glGenBuffers(1, &id);
     handle_ = Handle<delete_buffer>(id);
-    while (glGetError() != GL_NO_ERROR) {
+    for (int i = 0; i < most_errors && glGetError() != GL_NO_ERROR; ++i) {
     }
     glBindBuffer(neutral, id);
     glBufferData(neutral, static_cast<GLsizeiptr>(bytes), nullptr, usage);
@@ -40,11 +43,12 @@ void Buffer::write(std::span<const std::byte> bytes, std::size_t offset) {
     glBufferSubData(neutral, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }
 
-std::vector<std::byte> Buffer::read() const {
-    std::vector<std::byte> bytes(size_);
-    if (size_ != 0) {
+std::vector<std::byte> Buffer::read(std::size_t count) const {
+    assert(count <= size_);
+    std::vector<std::byte> bytes(count);
+    if (count != 0) {
         bind(neutral);
-        glGetBufferSubData(neutral, 0, static_cast<GLsizeiptr>(size_), bytes.data());
+        glGetBufferSubData(neutral, 0, static_cast<GLsizeiptr>(count), bytes.data());
     }
     return bytes;
 }

@@ -21,14 +21,14 @@ Readback::~Readback() {
     }
 }
 
-void Readback::request(const Buffer& source) {
-    if (under_way() || source.size() == 0) {
+void Readback::request(const Buffer& source, std::size_t bytes) {
+    if (under_way() || bytes == 0) {
         return;
     }
-    if (staging_.size() < source.size()) {
-        staging_ = Buffer("readback", source.size(), GL_STREAM_READ);
+    if (staging_.size() < bytes) {
+        staging_ = Buffer("readback", bytes, GL_STREAM_READ);
     }
-    size_ = source.size();
+    size_ = bytes;
     source.bind(GL_COPY_READ_BUFFER);
     staging_.bind(GL_COPY_WRITE_BUFFER);
     glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(size_));

@@ -17,8 +17,8 @@ public:
     ~Readback();
 
     bool under_way() const { return fence_ != nullptr; }
-    /// Starts a copy of the whole buffer as the GL commands so far leave it.
-    void request(const Buffer& source);
+    /// Starts a copy of the first `bytes` as the GL commands so far leave them.
+    void request(const Buffer& source, std::size_t bytes);
     /// The bytes, once: empty while the device is still at it or nothing was asked for.
     std::optional<std::vector<std::byte>> poll();
 

@@ -10,10 +10,11 @@
 namespace ballpit::gpu {
 
 /// What the next command does with a buffer that a shader may have written.
-enum class Use { storage, vertex, copy };
+enum class Use { storage, vertex, texture, copy };
 
-inline constexpr std::array<GLbitfield, 3> use_bits = {
-    GL_SHADER_STORAGE_BARRIER_BIT, GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT, GL_BUFFER_UPDATE_BARRIER_BIT};
+inline constexpr std::array<GLbitfield, 4> use_bits = {GL_SHADER_STORAGE_BARRIER_BIT,
+                                                       GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT, GL_TEXTURE_FETCH_BARRIER_BIT,
+                                                       GL_BUFFER_UPDATE_BARRIER_BIT};
 
 /// Keeps, for each of `buffer_count` buffers, the uses to which its last shader write is not yet visible, and
 /// whether a shader may still be reading it. Pure bookkeeping: it calls no GL.
@@ -43,7 +44,7 @@ public:
 
     /// A dispatch that reads or writes the buffer was issued.
     void shader_reads(std::size_t buffer) { read_[buffer] = true; }
-    void shader_writes(std::size_t buffer) { pending_[buffer] = use_bits[0] | use_bits[1] | use_bits[2]; }
+    void shader_writes(std::size_t buffer) { pending_[buffer] = use_bits[0] | use_bits[1] | use_bits[2] | use_bits[3]; }
 
 private:
     std::array<GLbitfield, buffer_count> pending_{};

@@ -107,10 +107,10 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     write(Slot::next_velocities, std::as_bytes(std::span(state.velocities)));
     write(Slot::damping_ratios, std::as_bytes(std::span(ratios)));
     write(Slot::status, std::as_bytes(std::span(&clean, 1)));
-    readbacks_ = {};
 }
 
 void GpuBackend::reschedule(const Schedule& schedule) {
+    readbacks_ = {};  // a copy under way is of buffers that no longer hold
     reserve(Slot::keys, schedule.key_count * sizeof(Key));
     reserve(Slot::cell_ranges, schedule.cell_count * sizeof(CellRange));
     // Whoever looks before the first substep sees no keys and empty cells, not what memory held.
@@ -232,9 +232,7 @@ void GpuBackend::request_hash(std::uint64_t tag) {
 
 Bytes GpuBackend::read(Slot slot) {
     use(slot, Use::copy);
-    Bytes bytes = buffer(slot).read();
-    bytes.resize(used_bytes_[physical(slot)]);
-    return bytes;
+    return buffer(slot).read(used_bytes_[physical(slot)]);
 }
 
 void GpuBackend::write(Slot slot, std::span<const std::byte> bytes) {
@@ -251,18 +249,10 @@ void GpuBackend::request(Slot slot) {
         return;
     }
     use(slot, Use::copy);
-    readback_bytes_[index] = used_bytes_[physical(slot)];
-    readbacks_[index].request(buffer(slot));
+    readbacks_[index].request(buffer(slot), used_bytes_[physical(slot)]);
 }
 
-std::optional<Bytes> GpuBackend::poll(Slot slot) {
-    const auto index = static_cast<std::size_t>(slot);
-    std::optional<Bytes> bytes = readbacks_[index].poll();
-    if (bytes) {
-        bytes->resize(readback_bytes_[index]);
-    }
-    return bytes;
-}
+std::optional<Bytes> GpuBackend::poll(Slot slot) { return readbacks_[static_cast<std::size_t>(slot)].poll(); }
 
 std::vector<StageTimes> GpuBackend::take_times() {
     std::vector<StageTimes> all;
@@ -279,7 +269,7 @@ std::vector<StageTimes> GpuBackend::take_times() {
 void GpuBackend::finish() { glFinish(); }
 
 const gl::Buffer& GpuBackend::buffer_for_drawing(Slot slot) {
-    use(slot, Use::vertex);
+    barrier(barriers_.before_use(physical(slot), Use::vertex) | barriers_.before_use(physical(slot), Use::texture));
     return buffer(slot);
 }
 

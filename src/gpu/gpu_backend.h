@@ -40,7 +40,7 @@ public:
     std::vector<StageTimes> take_times() override;
     void finish() override;
 
-    /// The buffer in this slot, for use as a vertex attribute: nothing is read back to draw.
+    /// The buffer in this slot, for use as a vertex attribute or buffer texture: nothing is read back to draw.
     const gl::Buffer& buffer_for_drawing(Slot slot);
     /// Bytes of all buffers on the device.
     std::size_t allocated_bytes() const;
@@ -63,7 +63,6 @@ private:
     Barriers<slot_count> barriers_;
     bool swapped_ = false;
     std::array<gl::Readback, slot_count> readbacks_;
-    std::array<std::size_t, slot_count> readback_bytes_{};
     StateHasher hasher_;
     bool timing_ = false;
     gl::SpanTimer timer_;

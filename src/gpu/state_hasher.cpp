@@ -48,7 +48,7 @@ void StateHasher::request(std::uint64_t tag, const gl::Buffer& positions, const 
 void StateHasher::start_copy() {
     if (!readback_.under_way() && !waiting_.empty()) {
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        readback_.request(ring_);
+        readback_.request(ring_, ring_.size());
         copied_ = waiting_.size();
     }
 }

@@ -44,14 +44,21 @@ Image load_image(const fs::path& path) {
 void save_png(const fs::path& path, int width, int height, std::span<const unsigned char> rgb) {
     assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
     const std::vector<char> png = stb::encode_png(width, height, rgb);
-    fs::path part = path;
-    part += ".part";
     std::error_code error;
+    // A device, a pipe or a link is written to: renaming a file over it would put the file in its place.
+    const bool special = fs::is_other(path, error) || fs::is_symlink(path, error);
+    fs::path part = path;
+    part += special ? "" : ".part";
     errno = 0;
     if (png.empty() || !write_file(part, png)) {
         const std::string reason = errno != 0 ? std::strerror(errno) : "out of memory";
-        fs::remove(part, error);
+        if (!special) {
+            fs::remove(part, error);
+        }
         throw InputError("cannot write picture " + path.string() + ": " + reason);
+    }
+    if (special) {
+        return;
     }
     fs::rename(part, path, error);
     if (error) {
