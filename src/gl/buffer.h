@@ -25,7 +25,7 @@ public:
     /// Copies to and from the start of the buffer, or `offset`; reading waits for the device.
     void write(std::span<const std::byte> bytes, std::size_t offset = 0);
     std::vector<std::byte> read() const { return read(size_); }
-    std::vector<std::byte> read(std::size_t bytes) const;
+    std::vector<std::byte> read(std::size_t count) const;  // the first `count` bytes
 
     void bind(GLenum target) const { glBindBuffer(target, id()); }
     void bind_base(GLenum target, GLuint index) const { glBindBufferBase(target, index, id()); }
