@@ -4,21 +4,19 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <optional>
 #include <utility>
 #include <variant>
 
 #include "app/clock.h"
 #include "app/input.h"
+#include "app/window_camera.h"
 #include "app/window_gui.h"
 #include "app/window_inspector.h"
-#include "app/window_live_check.h"
 #include "app/window_monitor.h"
 #include "app/window_overlay.h"
 #include "app/window_picture.h"
 #include "app/window_session.h"
-#include "app/window_stage_numbers.h"
+#include "app/window_stepping.h"
 #include "app/window_timings.h"
 #include "app/window_views.h"
 #include "core/error.h"
@@ -27,7 +25,6 @@
 #include "ui/panels.h"
 #include "ui/stepping_panels.h"
 #include "view/palette.h"
-#include "view/picking.h"
 
 namespace ballpit::app {
 
@@ -37,7 +34,6 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr int idle_wait_ms = 250;        // a paused window looks for news this often, and at once for any event
 constexpr int settling_frames = 3;       // after an event: panels answer a frame later than they are asked
-constexpr double flight_s = 0.7;         // of the camera to a ball
 constexpr Uint32 shortest_frame_ms = 4;  // where the display does not hold frames back, this does
 
 double seconds_between(SteadyClock::time_point from, SteadyClock::time_point to) {
@@ -51,13 +47,6 @@ gl::ContextOptions context_options(const WindowOptions& options) {
     context.width = options.width;
     context.height = options.height;
     return context;
-}
-
-// 16, 64, all (0).
-std::uint32_t next_size(std::uint32_t slots) { return slots == 16 ? 64 : slots == 64 ? 0 : 16; }
-
-StepUnit coarser(StepUnit unit) {
-    return unit == StepUnit::step ? unit : static_cast<StepUnit>(static_cast<int>(unit) + 1);
 }
 
 // Whether the next event ends a press. In a slow frame a press and its end come together; older versions of ImGui look
@@ -85,14 +74,9 @@ private:
     void measure_times(double busy_s, double wall_s, double simulated_s);
     void look_inside(double now_s);
     void fly_to_selected_ball();
-    void choose_unit(StepUnit unit);
-    void toggle_live_check();
-    void show_next_differences();
     void move_camera(float seconds);
-    void send_camera_home();
-    static view::vec2 to_free_middle(const WindowExtent& window);
-    bool home_has_moved() const;
     WindowExtent extent() const;
+    Surroundings surroundings() const;
     void update_title();
 
     void carry_out(const ui::Commands& commands);
@@ -110,13 +94,13 @@ private:
     void act(const ui::ChangeTextSize& command) { text_size_ = command.factor; }
     void act(const ui::ClearStatus&) { session_.clear_status(); }
     void act(const ui::DismissMessage&) { message_.clear(); }
-    void act(const ui::ChooseUnit& command) { choose_unit(command.unit); }
-    void act(const ui::StepForward& command);
-    void act(const ui::StepBack& command);
-    void act(const ui::GoTo& command);
-    void act(const ui::SetCheckpointBudget& command) { session_.stepper().set_budget(command.bytes); }
-    void act(const ui::SetLiveCheck& command) { live_check_.set_mode(command.mode); }
-    void act(const ui::ShowDifferences& command) { live_check_.show(command.stage); }
+    void act(const ui::ChooseUnit& command) { stepping_.act(command, view_); }
+    void act(const ui::StepForward& command) { stepping_.act(command); }
+    void act(const ui::StepBack& command) { stepping_.act(command); }
+    void act(const ui::GoTo& command) { stepping_.act(command); }
+    void act(const ui::SetCheckpointBudget& command) { stepping_.act(command); }
+    void act(const ui::SetLiveCheck& command) { stepping_.act(command); }
+    void act(const ui::ShowDifferences& command) { stepping_.act(command); }
     void act(const ui::SelectBall& command);
     void act(const ui::SelectCell& command) { views_.select_cell(command.cell, inspection_); }
     void act(const ui::SelectCellOfBall& command) { views_.select_cell_of_ball(command.ball, inspection_); }
@@ -138,21 +122,13 @@ private:
     Inspector inspector_;
     Views views_;
     ui::ProbeState probe_;
-    LiveCheck live_check_{session_};
-    StageNumbersReader stage_numbers_;
-    ui::SteppingState stepping_;
+    Stepping stepping_{session_, clock_};
     ui::Inspection inspection_;
     view::Overlay overlay_;
-    struct Flight {
-        view::Camera from;
-        view::Camera to;
-        double seconds = 0.0;
-    };
-    std::optional<Flight> flight_;
     bool flight_wanted_ = false;  // as soon as it is known where the ball is
 
     ui::ViewOptions view_;
-    view::Camera camera_;
+    WindowCamera camera_;
     view::Light light_;
     double speed_ = 1.0;
     float text_size_ = 1.0f;
@@ -162,10 +138,6 @@ private:
     std::string title_;
 
     bool quit_ = false;
-    bool camera_to_home_ = true;
-    bool was_split_ = false;
-    view::Camera home_;
-    WindowExtent home_extent_;
     int scene_changes_ = 0;
     int settling_ = settling_frames;
     SteadyClock::time_point start_ = SteadyClock::now();
@@ -199,8 +171,8 @@ bool Window::hidden() const {
 // A window that nobody sees, or in which nothing moves, must not heat the room.
 void Window::wait_for_events() {
     const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
-                       !inspector_.waiting() && !views_.working() && !flight_ && !input_.active(gui_.typing()) &&
-                       !blinks(overlay_);
+                       !inspector_.waiting() && !views_.working() && !camera_.flying() &&
+                       !input_.active(gui_.typing()) && !blinks(overlay_);
     if (!hidden() && !still) {
         return;
     }
@@ -275,36 +247,20 @@ int Window::advance(double wall_s) {
 
 // What panels want to know of the buffers: see Inspector. A panel that is closed wants nothing.
 void Window::look_inside(double now_s) {
-    session_.update();
     Monitor::ask(inspector_, view_.occupancy || views_.shows_slice());
     views_.want(inspector_, view_, inspection_);
-    if (view_.microscope) {
-        inspector_.want(Slot::keys);
-        inspector_.want_keys_before();
-    }
-    session_.describe(stepping_);
-    const bool with_numbers = view_.stepper && !clock_.running();
-    if (with_numbers) {
-        StageNumbersReader::ask(inspector_, stepping_);
-    }
+    stepping_.want(inspector_, view_);
     if (flight_wanted_) {
         inspector_.want(Slot::positions);
     }
     inspector_.update(session_, clock_.running(), now_s);
     monitor_.update(inspector_, session_.simulation().schedule().ball_count);
-    if (with_numbers) {
-        stepping_.numbers =
-            stage_numbers_.read(inspector_, stepping_, vec3(session_.simulation().half_extent()), session_.revision());
-    }
-    live_check_.describe(stepping_.check);
-    for (std::size_t i = 0; i < stage_count; ++i) {
-        stepping_.stage_colours[i] = view::categorical(static_cast<std::uint32_t>(i));
-    }
+    stepping_.update(inspector_, view_);
     inspector_.describe(inspection_, now_s);
     if (flight_wanted_) {
         fly_to_selected_ball();
     }
-    views_.update(session_, inspector_, inspection_, view_, stepping_.check, clock_.running(), now_s);
+    views_.update(session_, inspector_, inspection_, view_, stepping_.state().check, clock_.running(), now_s);
     overlay_ = make_overlay(inspection_);
     views_.add_to(overlay_, inspection_, session_);
 }
@@ -316,13 +272,7 @@ void Window::fly_to_selected_ball() {
     }
     flight_wanted_ = false;
     if (inspection_.ball && *inspection_.ball < positions.size()) {
-        const vec4& ball = positions[*inspection_.ball];
-        view::Camera there = view::fly_to(camera_, vec3(ball), ball.w);
-        const float ahead = glm::dot(vec3(ball) - there.position, view::forward(there));
-        const view::vec2 aside = 2.0f * std::tan(0.5f * there.field_of_view) * ahead *
-                                 (views_.split() ? view::vec2(0.0f) : to_free_middle(extent()));
-        there.position += aside.y * view::up(there) - aside.x * view::right(there);
-        flight_ = Flight{camera_, there, 0.0};
+        camera_.fly_to(positions[*inspection_.ball], surroundings());
     }
 }
 
@@ -335,7 +285,7 @@ void Window::draw() {
     }
     PictureOptions options;
     options.view = view_;
-    options.camera = camera_;
+    options.camera = camera_.camera();
     options.light = light_;
     options.overlay = &overlay_;
     options.top_count = monitor_.top_count();
@@ -370,26 +320,12 @@ void Window::move_camera(float seconds) {
         scene_changes_ = session_.scene_changes();
         inspection_.ball.reset();
         inspection_.cell.reset();
-        camera_to_home_ = true;
+        camera_.go_home();
     }
-    camera_to_home_ =
-        camera_to_home_ || std::exchange(was_split_, views_.split()) != views_.split() || home_has_moved();
-    if (std::exchange(camera_to_home_, false)) {
-        send_camera_home();
-    }
-    if (input_.active(gui_.typing())) {
-        flight_.reset();  // the hand has the word
-    }
-    if (flight_) {
-        flight_->seconds += static_cast<double>(seconds);
-        camera_ = view::blend(flight_->from, flight_->to, static_cast<float>(flight_->seconds / flight_s));
-        flight_ = flight_->seconds < flight_s ? flight_ : std::nullopt;
-    }
-    camera_ =
-        input_.moved(camera_, vec3(session_.simulation().half_extent()), seconds, gui_.typing(), gui_.over_panel());
+    camera_.update(input_, surroundings(), seconds, gui_.typing(), gui_.over_panel());
     if (const auto click = input_.take_click()) {
         const bool control = (SDL_GetModState() & KMOD_CTRL) != 0;
-        views_.pick(*click, control, extent(), camera_, session_, inspection_);
+        views_.pick(*click, control, extent(), camera_.camera(), session_, inspection_);
     }
 }
 
@@ -402,34 +338,12 @@ WindowExtent Window::extent() const {
     const auto tall = static_cast<float>(std::max(height, 1));
     ui::State state;
     state.view = view_;
-    state.stepping = &stepping_;
+    state.stepping = &stepping_.state();
     return {wide, tall, wide - covered, tall - std::min(ui::covered_height(state), 0.75f * tall)};
 }
 
-// The box stands in the middle of what the panels leave free, or of each half of that.
-void Window::send_camera_home() {
-    const WindowExtent window = extent();
-    const vec3 half_extent(session_.simulation().half_extent());
-    const float free_width = views_.split() ? 0.5f * window.free_width : window.free_width;
-    camera_ = view::home(half_extent, free_width / window.free_height);
-    camera_.position *= window.height / window.free_height;
-    const view::vec2 aside = to_free_middle(window);
-    camera_ = view::pan(camera_, views_.split() ? view::vec2(0.0f, aside.y) : aside, half_extent);
-    home_ = camera_;
-    home_extent_ = window;
-}
-
-// From the middle of the window to the middle of what is free, as a share of its height (right, down).
-view::vec2 Window::to_free_middle(const WindowExtent& window) {
-    return -0.5f * view::vec2(window.width - window.free_width, window.height - window.free_height) / window.height;
-}
-
-// A camera that nobody has moved keeps the box in the middle when a panel opens.
-bool Window::home_has_moved() const {
-    const WindowExtent now = extent();
-    const bool untouched =
-        camera_.position == home_.position && camera_.yaw == home_.yaw && camera_.pitch == home_.pitch;
-    return untouched && (now.free_width != home_extent_.free_width || now.free_height != home_extent_.free_height);
+Surroundings Window::surroundings() const {
+    return {extent(), vec3(session_.simulation().half_extent()), views_.split()};
 }
 
 ui::State Window::make_state() {
@@ -450,7 +364,7 @@ ui::State Window::make_state() {
     state.top_count = monitor_.top_count();
     state.amount_colour = view::sequential;
     state.which_colour = view::categorical;
-    state.stepping = &stepping_;
+    state.stepping = &stepping_.state();
     state.inspection = &inspection_;
     views_.describe(probe_, session_, inspection_, view_, monitor_.top_count());
     state.probe = &probe_;
@@ -477,7 +391,7 @@ void Window::carry_out(const ui::Commands& commands) {
 }
 
 void Window::act(ui::Action action) {
-    if (views_.act(action, inspection_, session_)) {
+    if (views_.act(action, inspection_, session_) || stepping_.act(action, view_)) {
         return;
     }
     switch (action) {
@@ -505,54 +419,17 @@ void Window::act(ui::Action action) {
         case ui::Action::full_screen:
             return toggle_full_screen();
         case ui::Action::camera_home:
-            camera_to_home_ = true;
-            return;
+            return camera_.go_home();
         case ui::Action::toggle_help:
             view_.help = !view_.help;
             return;
-        case ui::Action::forward:
-            return act(ui::StepForward{stepping_.unit});
-        case ui::Action::back:
-            return act(ui::StepBack{stepping_.unit});
-        case ui::Action::forward_coarser:
-            return act(ui::StepForward{coarser(stepping_.unit)});
-        case ui::Action::back_coarser:
-            return act(ui::StepBack{coarser(stepping_.unit)});
-        case ui::Action::step_start:
-            clock_.pause();
-            return session_.to_step_start();
-        case ui::Action::step_end:
-            clock_.pause();
-            return session_.to_step_end();
-        case ui::Action::unit_pass:
-            return choose_unit(StepUnit::pass);
-        case ui::Action::unit_stage:
-            return choose_unit(StepUnit::stage);
-        case ui::Action::unit_substep:
-            return choose_unit(StepUnit::substep);
-        case ui::Action::unit_step:
-            return choose_unit(StepUnit::step);
-        case ui::Action::toggle_stepper:
-            view_.stepper = !view_.stepper;
-            return;
-        case ui::Action::toggle_microscope:
-            view_.microscope = !view_.microscope;
-            return;
-        case ui::Action::microscope_size:
-            view_.microscope = true;
-            view_.microscope_options.slots = next_size(view_.microscope_options.slots);
-            return;
-        case ui::Action::toggle_live_check:
-            return toggle_live_check();
-        case ui::Action::show_differences:
-            return show_next_differences();
         case ui::Action::close:
             return close_topmost();
         case ui::Action::quit:
             quit_ = true;
             return;
         default:
-            return;  // the views' own
+            return;  // theirs
     }
 }
 
@@ -568,44 +445,9 @@ void Window::act(const ui::ChangeSettings& command) {
     }
 }
 
-// Whoever moves through time wants it to stand still.
-void Window::act(const ui::StepForward& command) {
-    clock_.pause();
-    session_.forward(command.unit);
-}
-
-void Window::act(const ui::StepBack& command) {
-    clock_.pause();
-    session_.back(command.unit);
-}
-
-void Window::act(const ui::GoTo& command) {
-    clock_.pause();
-    session_.go_to(command.place);
-}
-
 void Window::act(const ui::SelectBall& command) {
     inspection_.ball = command.ball;
     flight_wanted_ = command.fly && command.ball;
-}
-
-// Parts of a step are for looking at: the strip shows where one is.
-void Window::choose_unit(StepUnit unit) {
-    stepping_.unit = unit;
-    view_.stepper = view_.stepper || unit != StepUnit::step;
-}
-
-// What it finds shows on the strip.
-void Window::toggle_live_check() {
-    const bool off = live_check_.mode() == ui::LiveCheckMode::off;
-    live_check_.set_mode(off ? ui::LiveCheckMode::mirror : ui::LiveCheckMode::off);
-    view_.stepper = view_.stepper || off;
-}
-
-// Stage by stage, then closed.
-void Window::show_next_differences() {
-    const std::size_t next = live_check_.shown() ? static_cast<std::size_t>(*live_check_.shown()) + 1 : 0;
-    live_check_.show(next < stage_count ? std::optional(static_cast<Stage>(next)) : std::nullopt);
 }
 
 // One thing a press, what lies on top first; never the program.

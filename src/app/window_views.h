@@ -5,20 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "app/window_extent.h"
 #include "app/window_picture.h"
 #include "app/window_probe.h"
 #include "app/window_split.h"
 #include "ui/commands.h"
 
 namespace ballpit::app {
-
-/// The window in points, and how much of its width the side panel leaves free.
-struct WindowExtent {
-    float width = 1280.0f;
-    float height = 720.0f;
-    float free_width = 1280.0f;  // left of the side panel
-    float free_height = 720.0f;  // above the strip and the microscope
-};
 
 class Views {
 public:
