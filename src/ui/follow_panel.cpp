@@ -34,6 +34,9 @@ void trace_line(const State& state, Commands& commands) {
             ImGui::SameLine(0.0f, 0.25f * em());
             dim_text("→");
             ImGui::SameLine(0.0f, 0.25f * em());
+            if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(link.text.c_str()).x + em()) {
+                ImGui::NewLine();  // large numbers, or a window pulled narrow
+            }
         }
         ImGui::PushID(link.text.c_str());
         if (ImGui::SmallButton(link.text.c_str())) {
