@@ -50,7 +50,8 @@ void draw_blocks(const Scope& scope, const Plot& plot) {
         return;
     }
     for (std::uint32_t slot = 0; slot < scope.keys.size(); slot += scope.pass->k) {
-        const float left = plot.low.x + width * static_cast<float>(slot / scope.pass->k);
+        const std::uint32_t block = slot / scope.pass->k;
+        const float left = plot.low.x + width * static_cast<float>(block);
         const bool ascending = (slot & scope.pass->k) == 0;
         canvas().AddRectFilled(ImVec2(left, plot.low.y), ImVec2(left + width, plot.bottom()),
                                packed(Scope::direction_colour(ascending), 0.16f));

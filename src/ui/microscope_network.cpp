@@ -54,7 +54,7 @@ void comparators(const Scope& scope, const ShownPass& pass, std::uint32_t base, 
         const float y = low.y + wire * (static_cast<float>(i) + 0.5f);
         const float end = inside ? low.y + wire * (static_cast<float>(partner - base) + 0.5f)
                                  : y + (partner > slot ? 0.35f : -0.35f) * wire;
-        canvas().AddLine(ImVec2(x, y), ImVec2(x, end), packed(scope.direction_colour(ascending), alpha),
+        canvas().AddLine(ImVec2(x, y), ImVec2(x, end), packed(Scope::direction_colour(ascending), alpha),
                          swapped ? 2.5f : 1.0f);
     }
 }

@@ -27,7 +27,7 @@ void arrow_head(const ImVec2& tip, ImU32 colour, float size) {
 // From slot to slot; the head shows where the larger key belongs.
 void arc(const Scope& scope, const measure::CompareExchange& pair, float left, float right, float floor, float height) {
     const float alpha = pair.swapped ? 1.0f : 0.42f;
-    const ImU32 colour = packed(scope.direction_colour(pair.ascending), alpha);
+    const ImU32 colour = packed(Scope::direction_colour(pair.ascending), alpha);
     const float head = (pair.swapped ? 0.5f : 0.36f) * em();
     const float to = pair.ascending ? right : left;
     const float from = pair.ascending ? left : right;
