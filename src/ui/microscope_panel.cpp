@@ -25,7 +25,7 @@ void arrow_head(const ImVec2& tip, ImU32 colour, float size) {
 }
 
 // From slot to slot; the head shows where the larger key belongs.
-void arc(const Scope& scope, const measure::CompareExchange& pair, float left, float right, float floor, float height) {
+void arc(const measure::CompareExchange& pair, float left, float right, float floor, float height) {
     const float alpha = pair.swapped ? 1.0f : 0.42f;
     const ImU32 colour = packed(Scope::direction_colour(pair.ascending), alpha);
     const float head = (pair.swapped ? 0.5f : 0.36f) * em();
@@ -85,7 +85,7 @@ void draw_arcs(const Scope& scope, const Row& row, float floor, float height) {
         const auto pair = measure::compare_exchange_of(slot, scope.pass->k, scope.pass->j, scope.before);
         const float right = row.centre(static_cast<std::size_t>(partner - slots.begin()));
         const float span = (right - row.centre(i)) / scope.width;
-        arc(scope, pair, row.centre(i), right, floor, height * std::clamp(0.35f + 1.3f * span, 0.0f, 1.0f));
+        arc(pair, row.centre(i), right, floor, height * std::clamp(0.35f + 1.3f * span, 0.0f, 1.0f));
     }
 }
 
