@@ -143,8 +143,60 @@ stepping_check() {   # a student's bug: the grid's origin added instead of subtr
     take stepping_check
 }
 
+settled_pile() { open --scene pile --set balls=1500 --set substeps=4; key 4; times 60 Right; settle; }
+
+inspection_follow() {   # a ball in a pile, in the middle of a substep's life: all of it has run
+    settled_pile
+    key f
+    click 450 560
+    point 640 4
+    take inspection_follow
+}
+
+inspection_cells() {   # the cells, and the third layer as a heat map
+    open --scene rain --set substeps=4
+    key 4; times 60 Right
+    key c l Up Up
+    point 640 575
+    xdotool keydown Control_L; sleep 0.5; xdotool click 1; sleep 0.5; xdotool keyup Control_L
+    point 640 4
+    take inspection_cells
+}
+
+inspection_contacts() {   # who carries whom: the largest forces in a pile are near its floor
+    settled_pile
+    key n
+    take inspection_contacts
+}
+
+inspection_slots() {   # what the sort did: neighbours in memory have like colours
+    settled_pile
+    times 4 shift+v
+    take inspection_slots
+}
+
+inspection_buffers() {   # the keys, sorted half of the way
+    open --scene rain
+    key 4 Right Right 1; times 40 Right
+    key b shift+b shift+b shift+b
+    take inspection_buffers
+}
+
+inspection_split() {   # cells of half a diameter, and what they miss
+    settled_pile
+    key x
+    point 455 122
+    xdotool keydown Control_L; sleep 0.5; xdotool click 1; sleep 0.5; xdotool keyup Control_L
+    xdotool type --delay 60 0.8
+    key Return
+    times 2 Right
+    point 640 4
+    take inspection_split
+}
+
 all="stepping_strip stepping_microscope stepping_microscope_64 stepping_microscope_all stepping_slot_to_ball
-    stepping_check"
+    stepping_check inspection_follow inspection_cells inspection_contacts inspection_slots inspection_buffers
+    inspection_split"
 
 for picture in ${*:-$all}; do
     "$picture"

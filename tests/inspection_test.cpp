@@ -524,9 +524,9 @@ TEST_CASE("closed views want nothing, work out nothing and draw nothing", "[insp
 
 TEST_CASE("ranges of colours stand still, numbers are short", "[inspection]") {
     CHECK(app::round_up(0.0f) == 0.0f);
-    CHECK(app::round_up(0.013f) == Approx(0.02f));
-    CHECK(app::round_up(0.021f) == Approx(0.05f));
-    CHECK(app::round_up(6.0f) == Approx(10.0f));
+    CHECK(app::round_up(0.013f) == Approx(0.015f));
+    CHECK(app::round_up(0.021f) == Approx(0.03f));
+    CHECK(app::round_up(8.1f) == Approx(10.0f));
     CHECK(app::round_up(std::nanf("")) == 0.0f);
     CHECK(ui::short_number(0.16345) == "0.163");
     CHECK(ui::short_number(-2.0) == "−2");

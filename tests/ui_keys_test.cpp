@@ -128,6 +128,25 @@ TEST_CASE("every action has one row on the help page, and a key", "[ui]") {
     CHECK(rows.size() == ui::action_count);
 }
 
+TEST_CASE("keys open the views into a substep and move in them", "[ui]") {
+    CHECK(action_of(key(SDLK_f), false) == Action::toggle_follow);
+    CHECK(action_of(key(SDLK_c), false) == Action::toggle_cells);
+    CHECK(action_of(key(SDLK_b), false) == Action::toggle_buffers);
+    CHECK(action_of(key(SDLK_b, KMOD_LSHIFT), false) == Action::next_slot);
+    CHECK(action_of(key(SDLK_x), false) == Action::toggle_split);
+    CHECK(action_of(key(SDLK_n), false) == Action::toggle_contacts);
+    CHECK(action_of(key(SDLK_v), false) == Action::toggle_arrows);
+    CHECK(action_of(key(SDLK_v, KMOD_RSHIFT), false) == Action::next_colour);
+    CHECK(action_of(key(SDLK_l), false) == Action::toggle_slice);
+    CHECK(action_of(key(SDLK_l, KMOD_LSHIFT), false) == Action::slice_axis);
+    CHECK(action_of(key(SDLK_UP), true) == Action::layer_up);  // held, it goes on
+    CHECK(action_of(key(SDLK_DOWN), true) == Action::layer_down);
+    CHECK(action_of(key(SDLK_PERIOD), true) == Action::next_ball);
+    CHECK(action_of(key(SDLK_COMMA), true) == Action::previous_ball);
+    CHECK(action_of(key(SDLK_DELETE), false) == Action::clear_selection);
+    CHECK_FALSE(action_of(key(SDLK_x), true));
+}
+
 TEST_CASE("letters typed into a field are not keys", "[ui]") {
     app::Input input;
     input.handle(press(SDLK_r), true, height);

@@ -62,7 +62,7 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
         case SDLK_n:
             return Action::toggle_contacts;
         case SDLK_v:
-            return Action::toggle_arrows;
+            return (key.mod & KMOD_SHIFT) != 0 ? Action::next_colour : Action::toggle_arrows;
         case SDLK_l:
             return (key.mod & KMOD_SHIFT) != 0 ? Action::slice_axis : Action::toggle_slice;
         case SDLK_UP:

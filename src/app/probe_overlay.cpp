@@ -53,7 +53,7 @@ float round_up(float value) {
         return 0.0f;
     }
     const float decade = std::pow(10.0f, std::floor(std::log10(value)));
-    for (const float factor : {1.0f, 2.0f, 5.0f}) {
+    for (const float factor : {1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f, 8.0f}) {
         if (value <= factor * decade * 1.0001f) {
             return factor * decade;
         }

@@ -30,7 +30,7 @@ void append_followed(view::Overlay& overlay, const Grid& grid, const measure::Ba
 /// A ring round each ball of a cell.
 void append_cell_balls(view::Overlay& overlay, const measure::BufferSample& sample, std::uint32_t cell);
 
-/// The next larger one of 1, 2, 5 times a power of ten: a range that does not flicker. 0 gives 0.
+/// The next larger round number: a range that does not flicker. 0 gives 0.
 float round_up(float value);
 
 }  // namespace ballpit::app

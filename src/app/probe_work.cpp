@@ -13,7 +13,7 @@ void measure_overlaps(const measure::BufferSample& sample, ProbeWork& work) {
         overlaps.push_back(measure::overlap_of(sample.positions[pair.a], sample.positions[pair.b]));
     }
     if (!overlaps.empty()) {
-        const auto usual = overlaps.begin() + static_cast<std::ptrdiff_t>(overlaps.size() * 95 / 100);
+        const auto usual = overlaps.begin() + static_cast<std::ptrdiff_t>(overlaps.size() * 9 / 10);
         std::ranges::nth_element(overlaps, usual);
         work.usual_overlap = *usual;
         work.largest_overlap = *std::max_element(usual, overlaps.end());

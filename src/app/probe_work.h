@@ -25,7 +25,7 @@ struct ProbeWork {
     ProbeWants wants;
     measure::FoundPairs pairs;
     float largest_overlap = 0.0f;      // m, of the pairs found
-    float usual_overlap = 0.0f;        // m: 95 of 100 are no larger
+    float usual_overlap = 0.0f;        // m: nine of ten are no larger
     std::vector<std::uint32_t> cells;  // rows of the table
     std::vector<float> values;         // one a ball
     double ms = 0.0;                   // what it cost

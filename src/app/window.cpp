@@ -413,6 +413,9 @@ void Window::act(ui::Action action) {
         case ui::Action::toggle_timings:
             view_.timings = !view_.timings;
             return;
+        case ui::Action::next_colour:
+            view_.colour = static_cast<ui::BallColour>((static_cast<std::size_t>(view_.colour) + 1) % ui::ball_colours);
+            return;
         case ui::Action::toggle_panels:
             view_.panels = !view_.panels;
             return;

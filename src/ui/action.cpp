@@ -44,6 +44,7 @@ constexpr std::array<KeyRow, action_count> keys = {{
     {Action::toggle_split, "X", "X", "Brute force beside the grid"},
     {Action::toggle_contacts, "N", "N", "Contacts as lines, coloured by overlap"},
     {Action::toggle_arrows, "V", "V", "Velocity arrows"},
+    {Action::next_colour, "Shift+V", "Shift+V", "What the colour of a ball tells: the next choice"},
     {Action::toggle_slice, "L", "L", "A layer of the grid as a heat map"},
     {Action::next_ball, ".", ".", "Follow the next ball"},
     {Action::previous_ball, ",", ",", "Follow the ball before"},

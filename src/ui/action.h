@@ -49,11 +49,12 @@ enum class Action : std::uint8_t {
     layer_up,
     layer_down,
     slice_axis,
+    next_colour,
     next_slot,
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 43;
+inline constexpr std::size_t action_count = 44;
 
 struct KeyRow {
     Action action;
@@ -65,7 +66,7 @@ struct KeyRow {
 /// One row an action, in the order of the help page: first those of the window, then `stepping_actions` to look
 /// inside a step.
 std::span<const KeyRow> key_table();
-inline constexpr std::size_t stepping_actions = 29;
+inline constexpr std::size_t stepping_actions = 30;
 
 /// The short form for the space beside a control.
 std::string_view key_hint(Action action);

@@ -14,6 +14,7 @@ inline constexpr std::array<std::string_view, 3> backend_choice_names = {"auto",
 
 enum class Look : std::uint8_t { model, impostor };
 enum class BallColour : std::uint8_t { tinted, plain, speed, cell, slot, contacts, radius, difference };
+inline constexpr std::size_t ball_colours = 8;
 /// Whether the colour is a number that is read back and worked out first.
 constexpr bool is_worked_out(BallColour colour) { return colour >= BallColour::slot; }
 

@@ -9,7 +9,7 @@ namespace ballpit::ui {
 
 namespace {
 
-constexpr std::array<const char*, 8> colour_names = {
+constexpr std::array<const char*, ball_colours> colour_names = {
     "a tint for each ball",    "texture only", "speed", "grid cell", "slot", "contacts", "radius",
     "difference to the mirror"};
 
@@ -29,7 +29,7 @@ bool look_row(ViewOptions& view) {
 }
 
 bool colour_row(const State& state, ViewOptions& view) {
-    row_label("Colour", "What the colour of a ball tells.");
+    row_label("Colour", "What the colour of a ball tells. Shift+V: the next choice.");
     const auto chosen = static_cast<std::size_t>(view.colour);
     if (!ImGui::BeginCombo("##colour", colour_names[chosen])) {
         return false;
