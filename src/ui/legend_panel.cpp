@@ -24,12 +24,17 @@ void colour_bar(const Legend& legend) {
         const ImU32 b = packed(legend.bar[i + 1]);
         list->AddRectFilledMultiColor(ImVec2(left, low.y), ImVec2(right, low.y + height), a, b, b, a);
     }
-    for (const LegendTick& tick : legend.ticks) {
-        const float x = low.x + width * tick.place;
-        const float half = 0.5f * ImGui::CalcTextSize(tick.text.c_str()).x;
+    // From the right, where the unit stands: a label that would run into the next one is left out.
+    float free_end = low.x + width;
+    for (auto tick = legend.ticks.rbegin(); tick != legend.ticks.rend(); ++tick) {
+        const float x = low.x + width * tick->place;
         list->AddLine(ImVec2(x, low.y + height), ImVec2(x, low.y + height + 0.2f * em()), packed(text_colour));
-        const float left = std::clamp(x - half, low.x, std::max(low.x, low.x + width - 2.0f * half));
-        list->AddText(ImVec2(left, low.y + height + 0.2f * em()), packed(dim_colour), tick.text.c_str());
+        const float wide = ImGui::CalcTextSize(tick->text.c_str()).x;
+        const float left = std::clamp(x - 0.5f * wide, low.x, std::max(low.x, low.x + width - wide));
+        if (left + wide <= free_end) {
+            list->AddText(ImVec2(left, low.y + height + 0.2f * em()), packed(dim_colour), tick->text.c_str());
+            free_end = left - 0.4f * em();
+        }
     }
     ImGui::Dummy(ImVec2(width, height + (legend.ticks.empty() ? 0.0f : 0.2f * em() + ImGui::GetTextLineHeight())));
 }
