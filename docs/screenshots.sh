@@ -157,7 +157,7 @@ inspection_cells() {   # the cells, and the third layer as a heat map
     open --scene rain --set substeps=4
     key 4; times 60 Right
     key c l Up Up
-    point 536 482
+    point 545 572
     xdotool keydown Control_L; sleep 0.5; xdotool click 1; sleep 0.5; xdotool keyup Control_L
     point 640 4
     take inspection_cells

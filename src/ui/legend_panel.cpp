@@ -1,5 +1,6 @@
 // What a colour means: a bar with numbers, or a square a meaning.
 #include <algorithm>
+#include <ranges>
 
 #include "ui/probe_panels.h"
 #include "ui/style.h"
@@ -26,13 +27,13 @@ void colour_bar(const Legend& legend) {
     }
     // From the right, where the unit stands: a label that would run into the next one is left out.
     float free_end = low.x + width;
-    for (auto tick = legend.ticks.rbegin(); tick != legend.ticks.rend(); ++tick) {
-        const float x = low.x + width * tick->place;
+    for (const LegendTick& tick : std::views::reverse(legend.ticks)) {
+        const float x = low.x + width * tick.place;
         list->AddLine(ImVec2(x, low.y + height), ImVec2(x, low.y + height + 0.2f * em()), packed(text_colour));
-        const float wide = ImGui::CalcTextSize(tick->text.c_str()).x;
+        const float wide = ImGui::CalcTextSize(tick.text.c_str()).x;
         const float left = std::clamp(x - 0.5f * wide, low.x, std::max(low.x, low.x + width - wide));
         if (left + wide <= free_end) {
-            list->AddText(ImVec2(left, low.y + height + 0.2f * em()), packed(dim_colour), tick->text.c_str());
+            list->AddText(ImVec2(left, low.y + height + 0.2f * em()), packed(dim_colour), tick.text.c_str());
             free_end = left - 0.4f * em();
         }
     }
