@@ -1,6 +1,5 @@
 // What a colour means: a bar with numbers, or a square a meaning.
 #include <algorithm>
-#include <ranges>
 
 #include "ui/probe_panels.h"
 #include "ui/style.h"
@@ -27,7 +26,8 @@ void colour_bar(const Legend& legend) {
     }
     // From the right, where the unit stands: a label that would run into the next one is left out.
     float free_end = low.x + width;
-    for (const LegendTick& tick : std::views::reverse(legend.ticks)) {
+    for (std::size_t i = legend.ticks.size(); i-- > 0;) {
+        const LegendTick& tick = legend.ticks[i];
         const float x = low.x + width * tick.place;
         list->AddLine(ImVec2(x, low.y + height), ImVec2(x, low.y + height + 0.2f * em()), packed(text_colour));
         const float wide = ImGui::CalcTextSize(tick.text.c_str()).x;
