@@ -147,7 +147,7 @@ settled_pile() { open --scene pile --set balls=1500 --set substeps=4; key 4; tim
 
 inspection_follow() {   # a ball in a pile, in the middle of a substep's life: all of it has run
     settled_pile
-    key f
+    key t
     click 450 560
     point 640 4
     take inspection_follow
@@ -165,7 +165,7 @@ inspection_cells() {   # the cells, and the third layer as a heat map
 
 inspection_contacts() {   # who carries whom: the largest forces in a pile are near its floor
     settled_pile
-    key n
+    key i
     take inspection_contacts
 }
 
@@ -178,7 +178,7 @@ inspection_slots() {   # what the sort did: neighbours in memory have like colou
 inspection_buffers() {   # the keys, sorted half of the way
     open --scene rain
     key 4 Right Right 1; times 40 Right
-    key b shift+b shift+b shift+b
+    key u shift+u shift+u shift+u
     take inspection_buffers
 }
 

@@ -48,7 +48,7 @@ press period $left "the next ball"
 press comma $left "the ball before"
 equals $left "$first" || fail "another ball came back"
 press Delete $left "the ball to be forgotten"
-press f $left "the window to close"
+press t $left "the window to close"
 wait_for "all as it was" equals $field "$closed"
 
 step "a click picks a ball, a click beside it none"
@@ -56,11 +56,11 @@ click 440 560 $left "the ball's way"
 press Right $left "the next step's numbers"
 press Left $left "the numbers of the step before"
 click 40 650 $legend "the ball to be forgotten"
-press f $left "the window to close"
+press t $left "the window to close"
 
 toggles c $left "the table of cells"
 toggles l $pile "the slice"
-toggles n $legend "the legend of contacts"
+toggles i $legend "the legend of contacts"
 toggles v $legend "the legend of arrows"
 
 step "a row of the table is a cell, and the arrow keys move the layer"
@@ -73,9 +73,9 @@ press l $legend "the slice to close"
 press c $left "the table to close"
 
 step "every buffer is a table"
-press b $table "the table"
+press u $table "the table"
 for slot in velocities damping_ratios keys cell_ranges status next_positions next_velocities positions; do
-    press shift+b $table "the table of $slot"
+    press shift+u $table "the table of $slot"
 done
 
 step "a buffer is exported"
@@ -86,7 +86,7 @@ wait_for "the file" eval '[ -n "$(ls "$work"/ballpit_step*_positions.csv 2>/dev/
 [ "$(wc -l <"$(ls "$work"/ballpit_step*_positions.csv)")" = 1501 ] || fail "the file has not one line a ball"
 point 640 4
 press Escape $below "the message to close"
-press b $table "the table to close"
+press u $table "the table to close"
 
 step "brute force beside the grid, and a smaller cell tests fewer pairs"
 press x $pile "two pictures"
@@ -98,7 +98,7 @@ point 640 4
 press x $pile "one picture"
 
 step "it runs with everything open"
-key f c b l n v x period space
+key t c u l i v x period space
 wait_for "the picture to move" differs $pile "$(region $pile)"
 key space
 wait_for "the pause" is_still $clock

@@ -129,12 +129,12 @@ TEST_CASE("every action has one row on the help page, and a key", "[ui]") {
 }
 
 TEST_CASE("keys open the views into a substep and move in them", "[ui]") {
-    CHECK(action_of(key(SDLK_f), false) == Action::toggle_follow);
+    CHECK(action_of(key(SDLK_t), false) == Action::toggle_follow);
     CHECK(action_of(key(SDLK_c), false) == Action::toggle_cells);
-    CHECK(action_of(key(SDLK_b), false) == Action::toggle_buffers);
-    CHECK(action_of(key(SDLK_b, KMOD_LSHIFT), false) == Action::next_slot);
+    CHECK(action_of(key(SDLK_u), false) == Action::toggle_buffers);
+    CHECK(action_of(key(SDLK_u, KMOD_LSHIFT), false) == Action::next_slot);
     CHECK(action_of(key(SDLK_x), false) == Action::toggle_split);
-    CHECK(action_of(key(SDLK_n), false) == Action::toggle_contacts);
+    CHECK(action_of(key(SDLK_i), false) == Action::toggle_contacts);
     CHECK(action_of(key(SDLK_v), false) == Action::toggle_arrows);
     CHECK(action_of(key(SDLK_v, KMOD_RSHIFT), false) == Action::next_colour);
     CHECK(action_of(key(SDLK_l), false) == Action::toggle_slice);

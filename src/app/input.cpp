@@ -51,15 +51,15 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
             return Action::toggle_live_check;
         case SDLK_j:
             return Action::show_differences;
-        case SDLK_f:
+        case SDLK_t:
             return Action::toggle_follow;
         case SDLK_c:
             return Action::toggle_cells;
-        case SDLK_b:
+        case SDLK_u:
             return (key.mod & KMOD_SHIFT) != 0 ? Action::next_slot : Action::toggle_buffers;
         case SDLK_x:
             return Action::toggle_split;
-        case SDLK_n:
+        case SDLK_i:
             return Action::toggle_contacts;
         case SDLK_v:
             return (key.mod & KMOD_SHIFT) != 0 ? Action::next_colour : Action::toggle_arrows;

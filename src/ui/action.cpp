@@ -38,11 +38,11 @@ constexpr std::array<KeyRow, action_count> keys = {{
     {Action::microscope_size, "Shift+M", "Shift+M", "It shows 16, 64 or all slots"},
     {Action::toggle_live_check, "K", "K", "Check every stage against the mirror"},
     {Action::show_differences, "J", "J", "What the check found, stage by stage"},
-    {Action::toggle_follow, "F", "F", "Follow one ball: click it"},
+    {Action::toggle_follow, "T", "T", "Follow one ball: click it"},
     {Action::toggle_cells, "C", "C", "Table of the cells"},
-    {Action::toggle_buffers, "B", "B", "Tables of all buffers"},
+    {Action::toggle_buffers, "U", "U", "Tables of all buffers"},
     {Action::toggle_split, "X", "X", "Brute force beside the grid"},
-    {Action::toggle_contacts, "N", "N", "Contacts as lines, coloured by overlap"},
+    {Action::toggle_contacts, "I", "I", "Contacts as lines, coloured by overlap"},
     {Action::toggle_arrows, "V", "V", "Velocity arrows"},
     {Action::next_colour, "Shift+V", "Shift+V", "What the colour of a ball tells: the next choice"},
     {Action::toggle_slice, "L", "L", "A layer of the grid as a heat map"},
@@ -51,7 +51,7 @@ constexpr std::array<KeyRow, action_count> keys = {{
     {Action::slice_axis, "Shift+L", "Shift+L", "The layer across another axis"},
     {Action::layer_up, "↑", "↑", "The next layer"},
     {Action::layer_down, "↓", "↓", "The layer before"},
-    {Action::next_slot, "Shift+B", "Shift+B", "The next buffer"},
+    {Action::next_slot, "Shift+U", "Shift+U", "The next buffer"},
     {Action::clear_selection, "Delete", "Del", "Forget the selected ball and cell"},
 }};
 
