@@ -199,10 +199,14 @@ void JsonValue::refuse(const std::string& expected, const std::string& found) co
     throw InputError(place() + ": expected " + expected + ", found " + found);
 }
 
-void JsonValue::expect_object(std::initializer_list<std::string_view> known_keys) const {
+void JsonValue::expect_object() const {
     if (!value_->is_object()) {
         refuse("an object");
     }
+}
+
+void JsonValue::expect_object(std::initializer_list<std::string_view> known_keys) const {
+    expect_object();
     for (const auto& item : value_->items()) {
         if (std::ranges::find(known_keys, std::string_view(item.key())) == known_keys.end()) {
             std::string list;
@@ -212,6 +216,14 @@ void JsonValue::expect_object(std::initializer_list<std::string_view> known_keys
             refuse("no other keys than " + list, "'" + shortened(item.key()) + "'");
         }
     }
+}
+
+std::vector<std::string> JsonValue::keys() const {
+    std::vector<std::string> keys;
+    for (const auto& item : value_->items()) {
+        keys.push_back(item.key());
+    }
+    return keys;
 }
 
 JsonValue JsonValue::required(std::string_view key) const {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/vector.h"
 
@@ -26,8 +27,11 @@ public:
     JsonValue(const nlohmann::json& value, const std::string& file, Pointer pointer = Pointer())
         : value_(&value), file_(&file), pointer_(std::move(pointer)) {}
 
+    /// This must be an object.
+    void expect_object() const;
     /// This must be an object with no other keys than these.
     void expect_object(std::initializer_list<std::string_view> known_keys) const;
+    std::vector<std::string> keys() const;
     JsonValue required(std::string_view key) const;
     std::optional<JsonValue> optional(std::string_view key) const;
 

@@ -1,0 +1,127 @@
+// What the window remembers: it comes back as it was, and a file that cannot be used is set aside and told of.
+#include "app/user_settings.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "app/user_folders.h"
+#include "support/catch.h"
+#include "support/input_error.h"
+#include "support/temporary_folder.h"
+
+using namespace ballpit;
+using namespace ballpit::app;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+UserSettings unusual_settings() {
+    UserSettings settings;
+    settings.place = WindowPlace{-1200, 40, 900, 600};
+    settings.full_screen = true;
+    settings.text_size = 1.25;
+    settings.speed = 0.1;
+    settings.backend = "cpu";
+    settings.shown.emplace();
+    settings.shown->view.colour = ui::BallColour::contacts;
+    settings.shown->view.panels = false;
+    settings.shown->probe.slice = true;
+    settings.shown->probe.slice_axis = 0;
+    settings.shown->probe.slot = Slot::keys;
+    settings.shown->probe.arrow_seconds = 0.3f;
+    settings.shown->light.colour = {0.1f, 0.9f, 0.3f};
+    settings.shown->light.angle = 2.7182817f;
+    settings.scene = "pile";
+    settings.changed = {{"balls", "300"}, {"gravity", "0,0,-1.6"}};
+    settings.seed = 18446744073709551615u;
+    settings.layout = "[Window][Cells]\nPos=60,60\nSize=400,200\n";
+    return settings;
+}
+
+void put(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+TEST_CASE("what the window remembers comes back as it was", "[user-settings]") {
+    const test::TemporaryFolder home;
+    const fs::path folder = home.path() / "a" / "ballpit";
+    CHECK(load_user_settings(folder).message.empty());
+    CHECK(load_user_settings(folder).settings == UserSettings{});
+    for (const UserSettings& settings : {UserSettings{}, unusual_settings()}) {
+        save_user_settings(folder, settings);
+        const LoadedSettings loaded = load_user_settings(folder);
+        CHECK(loaded.message.empty());
+        CHECK(loaded.settings == settings);
+    }
+}
+
+TEST_CASE("a settings file that cannot be used is set aside, and nothing of it is lost", "[user-settings]") {
+    const test::TemporaryFolder home;
+    const fs::path file = home.path() / "settings.json";
+    const std::string good = R"({"program": "ballpit", )";
+    int n = 0;
+    for (const std::string& bad :
+         {std::string(), std::string("{"), std::string("[]"), std::string("{\"program\": \"other\"}"),
+          std::string("\x00\xFF\x13", 3), std::string("{}"), good + R"("text_size": 1e9})",
+          good + R"("text_size": "big"})", good + R"("window": {"x": 1}})",
+          good + R"("shown": {"view": {"look": "shiny"}}})", good + R"("shown": 3})", good + R"("shown": {"view": 3}})",
+          good + R"("settings": []})"}) {
+        put(file, bad);
+        const LoadedSettings loaded = load_user_settings(home.path());
+        ++n;
+        CAPTURE(bad, loaded.message);
+        CHECK(loaded.settings == UserSettings{});
+        CHECK(loaded.message.find("settings.json") != std::string::npos);
+        CHECK(loaded.message.find("It is now settings.json.bad-" + std::to_string(n)) != std::string::npos);
+        CHECK_FALSE(fs::exists(file));
+        CHECK(text_of(home.path() / ("settings.json.bad-" + std::to_string(n))) == bad);
+    }
+}
+
+TEST_CASE("settings of another version are passed over", "[user-settings]") {
+    const test::TemporaryFolder home;
+    put(home.path() / "settings.json",
+        R"({"program": "ballpit", "news": 1, "speed": 2, "settings": {"balls": "7", "colour": "red"}})");
+    const LoadedSettings loaded = load_user_settings(home.path());
+    CHECK(loaded.message.empty());
+    CHECK(loaded.settings.speed == 2.0);
+    CHECK(loaded.settings.changed == std::map<std::string, std::string>{{"balls", "7"}});
+}
+
+TEST_CASE("a folder that cannot be written is one sentence", "[user-settings]") {
+    const test::TemporaryFolder home;
+    put(home.path() / "file", "in the way");
+    const std::string complaint =
+        test::complaint_of([&] { save_user_settings(home.path() / "file" / "ballpit", UserSettings{}); });
+    CHECK(complaint.find("settings.json: cannot be written") != std::string::npos);
+    CHECK(test::complaint_of([] { save_user_settings({}, UserSettings{}); }).find("home folder") != std::string::npos);
+}
+
+#if !defined(_WIN32) && !defined(__APPLE__)
+TEST_CASE("folders follow the XDG rules", "[user-settings]") {
+    const auto set = [](const char* name, const char* value) {
+        value == nullptr ? unsetenv(name) : setenv(name, value, 1);
+    };
+    const char* home = std::getenv("HOME");
+    const std::string before = home == nullptr ? "" : home;
+    set("HOME", "/home/eve");
+    set("XDG_CONFIG_HOME", nullptr);
+    CHECK(config_folder() == "/home/eve/.config/ballpit");
+    set("XDG_CONFIG_HOME", "relative");
+    CHECK(config_folder() == "/home/eve/.config/ballpit");
+    set("XDG_CONFIG_HOME", "/etc/eve");
+    CHECK(config_folder() == "/etc/eve/ballpit");
+    set("XDG_DATA_HOME", nullptr);
+    CHECK(data_folder() == "/home/eve/.local/share/ballpit");
+    set("XDG_CONFIG_HOME", nullptr);
+    set("HOME", nullptr);
+    CHECK(config_folder().empty());
+    set("HOME", before.c_str());
+}
+#endif
