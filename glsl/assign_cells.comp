@@ -1,11 +1,26 @@
 #version 430 core
 // One thread a key: ball -> (cell id, ball id); the padding up to the next power of two gets sentinels.
-#include "shared/params.glsl"
+#include "shared/dispatch.glsl"
+#ifdef DIAGNOSTICS
 #include "shared/status.glsl"
+#endif
 #include "shared/keys.glsl"
-#include "shared/cells.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+
+layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock {
+    vec3 grid_origin;            // m: lower corner of cell 0
+    float inverse_cell_width;    // 1/m
+    uvec3 grid_cells;            // cells along x, y, z
+    uint ball_count;
+    uint key_count;              // next power of two of ball_count
+#ifdef DIAGNOSTICS
+    vec3 box_lower;              // m
+    vec3 box_upper;
+#endif
+} params;
+
+#include "shared/cells.glsl"
 
 layout(std430, binding = SLOT_POSITIONS) readonly buffer PositionsBlock { vec4 positions[]; };
 
@@ -20,8 +35,10 @@ void main() {
     }
     vec3 centre = positions[ball].xyz;
     keys[ball] = Key(cell_id(cell_coordinates(centre)), ball);
-    if (any(greaterThan(abs(centre), params.half_extent))) {
+#ifdef DIAGNOSTICS
+    if (any(lessThan(centre, params.box_lower)) || any(greaterThan(centre, params.box_upper))) {
         atomicOr(status.bits, STATUS_OUT_OF_BOUNDS);
         atomicAdd(status.out_of_bounds, 1u);
     }
+#endif
 }

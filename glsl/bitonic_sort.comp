@@ -1,10 +1,12 @@
 #version 430 core
 // One pass of the bitonic network: one thread a pair of slots (lower, lower XOR j).
 // The pairs are disjoint, so sorting in place is no race.
-#include "shared/params.glsl"
+#include "shared/dispatch.glsl"
 #include "shared/keys.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
+
+layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock { uint key_count; } params;
 
 void main() {
     uint pair = global_index();

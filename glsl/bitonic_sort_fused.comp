@@ -2,10 +2,12 @@
 // The passes whose pairs stay inside a tile (j < SORT_TILE_SIZE), one after the other in shared memory:
 // one work group a tile, one barrier a pass instead of one dispatch a pass.
 // dispatch_constants: first k, last k, j of the first pass.
-#include "shared/params.glsl"
+#include "shared/dispatch.glsl"
 #include "shared/keys.glsl"
 
 layout(local_size_x = SORT_GROUP_SIZE) in;
+
+layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock { uint key_count; } params;
 
 shared Key tile[SORT_TILE_SIZE];
 

@@ -1,28 +1,94 @@
 #version 430 core
 // One thread a ball: contact forces of the balls in 3 x 3 x 3 cells and of the walls, gravity, drag, and the
-// integrator, into the other state buffer. Every thread reads only the old state: no race, no order.
+// integrator. Where balls touch each other the result goes into the other state buffer, so that every thread reads
+// only the old state: no race, no order. Where they do not, each thread has its ball to itself and works in place.
 // `precise` keeps the compiler from contracting and reordering, so that the mirror can agree bit for bit.
 // Laws that the scene does not declare are not compiled in, declarations included.
-#include "shared/params.glsl"
+#include "shared/dispatch.glsl"
+#ifdef DIAGNOSTICS
 #include "shared/status.glsl"
+#endif
+#if defined(LAW_CONTACT) || defined(LAW_WALLS)
+#define LAW_SPRING
+#endif
 
 layout(local_size_x = GROUP_SIZE) in;
 
+// A kick turns v into decay * v + gain * a.
+layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock {
+    uint ball_count;
+    float drift;                 // s: x moves by drift * v
+    float gain;                  // s: duration of the kick, shortened by drag
+#ifdef INTEGRATOR_VELOCITY_VERLET
+    float second_gain;           // s: the same for the second kick
+#endif
+#ifdef LAW_DRAG
+    float decay;                 // factor of the kick: exp(-drag * duration)
+#ifdef INTEGRATOR_VELOCITY_VERLET
+    float second_decay;
+#endif
+#endif
+#ifdef LAW_GRAVITY
+    vec3 gravity;                // m/s^2
+#endif
+#ifdef LAW_SPRING
+    float stiffness;             // N/m
+#ifndef LAW_UNEQUAL_RADII
+    float radius;                // m, of every ball
+#endif
+#ifndef LAW_UNEQUAL_MASSES
+    float mass;                  // kg, of every ball
+#endif
+#endif
+#if defined(LAW_DASHPOT) && !defined(LAW_BALL_RESTITUTION)
+    float damping_ratio;         // dashpot zeta of every ball
+#endif
+#ifdef LAW_WALLS
+    vec3 box_lower;              // m
+    vec3 box_upper;
+#ifdef LAW_MOVING_WALLS
+    vec3 lower_velocity;         // m/s, of the lower walls
+    vec3 upper_velocity;
+#endif
+#endif
+#ifdef LAW_PULL
+    vec3 pull_target;            // m
+    uint pull_ball;
+    float pull_rate;             // 1/s
+#endif
+#if defined(LAW_CONTACT) && !defined(NEIGHBOURS_BRUTE_FORCE)
+    vec3 grid_origin;            // m: lower corner of cell 0
+    float inverse_cell_width;    // 1/m
+    uvec3 grid_cells;            // cells along x, y, z
+#endif
+} params;
+
+#ifdef LAW_CONTACT
 layout(std430, binding = SLOT_POSITIONS) readonly buffer PositionsBlock { vec4 positions[]; };
 layout(std430, binding = SLOT_VELOCITIES) readonly buffer VelocitiesBlock { vec4 velocities[]; };
 layout(std430, binding = SLOT_NEXT_POSITIONS) writeonly buffer NextPositionsBlock { vec4 next_positions[]; };
 layout(std430, binding = SLOT_NEXT_VELOCITIES) writeonly buffer NextVelocitiesBlock { vec4 next_velocities[]; };
+#else
+layout(std430, binding = SLOT_POSITIONS) buffer PositionsBlock { vec4 positions[]; };
+layout(std430, binding = SLOT_VELOCITIES) buffer VelocitiesBlock { vec4 velocities[]; };
+#endif
 
 struct Ball {
     uint id;
     vec3 position;
-    float radius;
     vec3 velocity;
+#ifdef LAW_SPRING
+    float radius;
     float mass;
+#endif
+#ifdef LAW_DASHPOT
     float damping_ratio;
+#endif
 };
 
+#ifdef LAW_SPRING
 #include "shared/contact.glsl"
+#endif
 #ifdef LAW_CONTACT
 #include "shared/pair.glsl"
 #ifdef NEIGHBOURS_BRUTE_FORCE
@@ -37,7 +103,24 @@ struct Ball {
 #include "shared/walls.glsl"
 #endif
 
+Ball make_ball(uint id, vec4 position, vec4 velocity) {
+    Ball ball;
+    ball.id = id;
+    ball.position = position.xyz;
+    ball.velocity = velocity.xyz;
+#ifdef LAW_SPRING
+    ball.radius = radius_of(position);
+    ball.mass = mass_of(velocity);
+#endif
+#ifdef LAW_DASHPOT
+    ball.damping_ratio = damping_ratio_of(id);
+#endif
+    return ball;
+}
+
 vec3 acceleration(Ball ball) {
+    precise vec3 a = vec3(0.0);
+#ifdef LAW_SPRING
     precise vec3 force = vec3(0.0);
 #ifdef LAW_CONTACT
     add_neighbours(ball, force);
@@ -45,21 +128,40 @@ vec3 acceleration(Ball ball) {
 #ifdef LAW_WALLS
     add_walls(ball, force);
 #endif
-    precise vec3 a = force / ball.mass;
+    a = force / ball.mass;
+#endif
 #ifdef LAW_GRAVITY
     a = a + params.gravity;
+#endif
+#ifdef LAW_PULL
+    // A critically damped spring to a point, as strong for any mass: the hand that holds a ball.
+    if (ball.id == params.pull_ball) {
+        a = a + (params.pull_rate * params.pull_rate) * (params.pull_target - ball.position);
+        a = a - (2.0 * params.pull_rate) * ball.velocity;
+    }
 #endif
     return a;
 }
 
-vec3 kick(vec3 v, vec3 a, float decay, float gain) {
+vec3 kick(vec3 v, vec3 a) {
 #ifdef LAW_DRAG
-    precise vec3 kicked = decay * v + gain * a;
+    precise vec3 kicked = params.decay * v + params.gain * a;
 #else
-    precise vec3 kicked = v + gain * a;
+    precise vec3 kicked = v + params.gain * a;
 #endif
     return kicked;
 }
+
+#ifdef INTEGRATOR_VELOCITY_VERLET
+vec3 second_kick(vec3 v, vec3 a) {
+#ifdef LAW_DRAG
+    precise vec3 kicked = params.second_decay * v + params.second_gain * a;
+#else
+    precise vec3 kicked = v + params.second_gain * a;
+#endif
+    return kicked;
+}
+#endif
 
 bool is_finite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
 
@@ -68,11 +170,13 @@ void main() {
     if (id >= params.ball_count) {
         return;
     }
-    Ball ball = load_ball(id);
+    vec4 position = positions[id];
+    vec4 velocity = velocities[id];
+    Ball ball = make_ball(id, position, velocity);
     vec3 a = acceleration(ball);
-    vec3 v = kick(ball.velocity, a, params.decay, params.gain);
+    vec3 v = kick(ball.velocity, a);
 #ifdef INTEGRATOR_VELOCITY_VERLET
-    v = kick(v, a, params.second_decay, params.second_gain);
+    v = second_kick(v, a);
 #endif
 #if defined(INTEGRATOR_FORWARD_EULER)
     precise vec3 x = ball.position + params.drift * ball.velocity;
@@ -81,10 +185,17 @@ void main() {
 #else
     precise vec3 x = ball.position + params.drift * v;
 #endif
+#ifdef DIAGNOSTICS
     if (!is_finite(x) || !is_finite(v)) {
         atomicOr(status.bits, STATUS_NOT_FINITE);
         atomicAdd(status.not_finite, 1u);
     }
-    next_positions[id] = vec4(x, ball.radius);
-    next_velocities[id] = vec4(v, ball.mass);
+#endif
+#ifdef LAW_CONTACT
+    next_positions[id] = vec4(x, position.w);
+    next_velocities[id] = vec4(v, velocity.w);
+#else
+    positions[id] = vec4(x, position.w);
+    velocities[id] = vec4(v, velocity.w);
+#endif
 }

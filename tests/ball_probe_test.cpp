@@ -26,6 +26,8 @@ measure::BufferSample sample_of(test::Placement placement, std::uint32_t balls, 
     Features features;
     features.add(Feature::contact);
     features.add(Feature::brute_force, brute_force);
+    features.add(Feature::unequal_radii);
+    features.add(Feature::unequal_masses);
     const Schedule schedule = make_schedule(balls, grid, features, SortMethod::bitonic);
     cpu::CpuBackend<float> backend;
     backend.load(state, schedule, true);

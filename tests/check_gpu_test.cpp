@@ -88,11 +88,11 @@ TEST_CASE_METHOD(GlFixture, "every integrator and every set of laws agrees with 
     for (std::size_t integrator = 0; integrator < integrator_names.size(); ++integrator) {
         for (unsigned laws = 0; laws < 32; ++laws) {
             Scene scene = all;
-            scene.laws.gravity = (laws & 1u) != 0;
-            scene.laws.drag = (laws & 2u) != 0;
-            scene.laws.contact = (laws & 4u) != 0;
-            scene.laws.restitution = scene.laws.contact && (laws & 8u) != 0;
-            scene.laws.walls = scene.laws.contact && (laws & 16u) != 0;
+            scene.settings.laws.gravity = (laws & 1u) != 0;
+            scene.settings.laws.drag = (laws & 2u) != 0;
+            scene.settings.laws.contact = (laws & 4u) != 0;
+            scene.settings.laws.restitution = scene.settings.laws.contact && (laws & 8u) != 0;
+            scene.settings.laws.walls = scene.settings.laws.contact && (laws & 16u) != 0;
             scene.fill->region = {dvec3(-2.5, -2.5, -3), dvec3(-1.5, -1.5, -2)};  // too small: everybody touches
             Settings settings = scene.settings;
             settings.balls = 100;

@@ -22,8 +22,7 @@ Features features_of(std::initializer_list<Feature> list) {
 }
 
 measure::Totals totals(Simulation& simulation) {
-    return totals_of(simulation.synchronised_state(), simulation.settings(), simulation.features(),
-                     simulation.half_extent());
+    return totals_of(simulation.synchronised_state(), simulation.settings(), simulation.features(), simulation.box());
 }
 
 }  // namespace
@@ -36,14 +35,14 @@ TEST_CASE("energies and momentum of two overlapping balls at a wall", "[measure]
     settings.stiffness = 100.0;
     settings.gravity = {0, 0, -10};
     const auto all = features_of({Feature::gravity, Feature::contact, Feature::walls});
-    const auto sum = totals_of(state, settings, all, {1.0, 2.0, 2.0});
+    const auto sum = totals_of(state, settings, all, dvec3(1.0, 2.0, 2.0));
     CHECK(sum.kinetic == 0.5 * 2 * 5 + 0.5 * 4 * 9);
     CHECK(sum.potential == 0.0);
     CHECK(sum.momentum == dvec3(2, 4, -12));
     CHECK(sum.contacts == 1);
     CHECK(sum.max_overlap == 0.25);  // of the pair, and as much of the second ball with the wall
     CHECK(sum.elastic == Approx(0.5 * 100.0 * (0.25 * 0.25 + 0.25 * 0.25)));
-    const auto no_laws = totals_of(state, settings, Features{}, {1.0, 2.0, 2.0});
+    const auto no_laws = totals_of(state, settings, Features{}, dvec3(1.0, 2.0, 2.0));
     CHECK(no_laws.elastic == 0.0);
     CHECK(no_laws.contacts == 0);
     CHECK(no_laws.kinetic == sum.kinetic);
@@ -99,7 +98,7 @@ TEST_CASE("drag and dashpots only take energy", "[measure]") {
 TEST_CASE("a free gas keeps its momentum", "[measure]") {
     // Far from walls only pairs act, and each force has its opposite (A28).
     Scene scene = test::shipped_scene("elastic_gas");
-    scene.laws.walls = false;
+    scene.settings.laws.walls = false;
     scene.fill->region = {dvec3(-1), dvec3(1)};
     Settings settings = scene.settings;
     settings.balls = 300;

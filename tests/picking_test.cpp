@@ -43,7 +43,7 @@ vec2 on_picture(const Camera& camera, const vec3& point) {
 }
 
 // m along the ray to where it enters the box; 0 from within.
-std::optional<double> enters(const Ray& ray, const Box& box) {
+std::optional<double> enters(const Ray& ray, const view::Box& box) {
     double first = 0.0;
     double last = 1e30;
     for (int axis = 0; axis < 3; ++axis) {
@@ -198,7 +198,7 @@ TEST_CASE("a slice gives its own cells, occupied or not", "[view]") {
             uvec3 cell{2, 3, 1};
             cell[axis] = layer;
             const std::uint32_t id = (cell.z * grid.cells.y + cell.y) * grid.cells.x + cell.x;
-            const Box box = cell_box(grid, id);
+            const view::Box box = cell_box(grid, id);
             vec3 face = 0.5f * (box.low + box.high);
             face[axis] = plane->normal[axis] * plane->place;
             CAPTURE(axis, layer);

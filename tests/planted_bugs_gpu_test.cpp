@@ -55,7 +55,7 @@ const std::vector<PlantedBug>& planted_bugs() {
         {"reads the state that is being written",
          Stage::collide,
          {{"collide.comp", "writeonly buffer NextPositionsBlock", "buffer NextPositionsBlock"},
-          {"shared/contact.glsl", "vec4 p = positions[id];", "vec4 p = next_positions[id];"}}},
+          {"shared/pair.glsl", "vec4 position = positions[other];", "vec4 position = next_positions[other];"}}},
     };
     return bugs;
 }

@@ -52,7 +52,8 @@ TEST_CASE("a scene file is read whole", "[core]") {
     CHECK(scene.about == "A.");
     CHECK(scene.half_extent == dvec3(1, 2, 3));
     CHECK(scene.reference_count == 10);
-    CHECK((scene.laws.gravity && scene.laws.drag && scene.laws.contact && scene.laws.restitution && scene.laws.walls));
+    CHECK((scene.settings.laws.gravity && scene.settings.laws.drag && scene.settings.laws.contact &&
+           scene.settings.laws.restitution && scene.settings.laws.walls));
     CHECK(scene.settings.gravity == dvec3(0, 0, -9.8));
     CHECK(scene.settings.drag == 0.1);
     CHECK(scene.settings.stiffness == 1000);
@@ -81,7 +82,7 @@ TEST_CASE("what is absent is not modelled, or has its default", "[core]") {
     const Scene scene = parse_scene(
         R"({"name": "N", "box": {"half_extent": [1, 1, 1]}, "fill": {"count": 3, "radius": [0.1, 0.1]}})", "s.json");
     CHECK(scene.about.empty());
-    CHECK(scene_features(scene, scene.settings) == Features{});
+    CHECK(laws_text(scene.settings.laws) == "diagnostics");
     CHECK(scene.reference_count == 0);
     CHECK(scene.settings.dt == Settings{}.dt);
     CHECK(scene.settings.substeps == Settings{}.substeps);
@@ -95,8 +96,8 @@ TEST_CASE("what is absent is not modelled, or has its default", "[core]") {
 
 TEST_CASE("a contact without restitution loses nothing", "[core]") {
     const Scene scene = parse_scene(scene_with(R"("restitution": 0.9, )", ""), "s.json");
-    CHECK(scene.laws.contact);
-    CHECK_FALSE(scene.laws.restitution);
+    CHECK(scene.settings.laws.contact);
+    CHECK_FALSE(scene.settings.laws.restitution);
     CHECK(scene.settings.restitution == 1.0);
 }
 
@@ -313,5 +314,6 @@ TEST_CASE("the example in the documentation is a scene", "[core]") {
     REQUIRE(end != std::string::npos);
     const Scene scene = parse_scene(page.substr(start, end - start), "docs/scenes.md");
     CHECK(scene.settings.balls == 5002);
-    CHECK((scene.laws.gravity && scene.laws.drag && scene.laws.contact && scene.laws.restitution && scene.laws.walls));
+    CHECK((scene.settings.laws.gravity && scene.settings.laws.drag && scene.settings.laws.contact &&
+           scene.settings.laws.restitution && scene.settings.laws.walls));
 }

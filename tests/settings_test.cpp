@@ -92,12 +92,13 @@ TEST_CASE("choices have names, other settings have none", "[core]") {
 }
 
 TEST_CASE("a setting applies where its law is modelled", "[core]") {
-    Features none;
+    const Laws none;
     CHECK(setting_applies(*find_setting("substeps"), none));
     CHECK_FALSE(setting_applies(*find_setting("drag"), none));
-    Features drag;
-    drag.add(Feature::drag);
-    CHECK(setting_applies(*find_setting("drag"), drag));
+    CHECK(setting_applies(*find_setting("drag"), parse_laws("drag")));
+    CHECK_FALSE(setting_applies(*find_setting("stiffness"), none));
+    CHECK(setting_applies(*find_setting("stiffness"), parse_laws("contact")));
+    CHECK(setting_applies(*find_setting("stiffness"), parse_laws("walls")));
 }
 
 TEST_CASE("a bad value is refused with key, text and what was expected", "[core]") {

@@ -33,7 +33,7 @@ Scene free_fall() {
     Scene scene;
     scene.name = "Free fall";
     scene.half_extent = dvec3(100.0);
-    scene.laws.gravity = true;
+    scene.settings.laws.gravity = true;
     scene.balls = {{{0, 0, 10}, {1, -2, 3}, 0.1, 1.0, std::nullopt}};
     scene.settings.balls = 1;
     scene.settings.dt = 1.0 / 60.0;
@@ -166,7 +166,8 @@ TEST_CASE("a change of a law's value keeps state and clock", "[simulation]") {
 
 TEST_CASE("a change of the restitution reaches the balls that have none of their own", "[simulation]") {
     Scene scene = free_fall();
-    scene.laws.contact = true;
+    scene.settings.laws.contact = true;
+    scene.settings.laws.restitution = true;
     scene.balls.push_back({{0, 0, 5}, {0, 0, 0}, 0.1, 1.0, 0.9});
     scene.settings.balls = 2;
     Simulation simulation = simulation_of(scene, 2);

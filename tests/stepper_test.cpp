@@ -126,7 +126,7 @@ TEST_CASE("a slider dragged while paused leaves its last value only, other chang
         timeline.change({0, 0}, settings);
     }
     REQUIRE(timeline.changes_at({0, 0}).size() == 1);
-    CHECK(timeline.changes_at({0, 0}).front().drag == settings.drag);
+    CHECK(std::get<Settings>(timeline.changes_at({0, 0}).front()).drag == settings.drag);
     settings.balls = 7;
     timeline.change({0, 0}, settings);
     CHECK(timeline.changes_at({0, 0}).size() == 2);

@@ -17,7 +17,7 @@ Scene filled_scene(std::uint32_t count) {
     Scene scene;
     scene.name = "filled";
     scene.half_extent = {2, 3, 4};
-    scene.laws.contact = true;
+    scene.settings.laws.contact = true;
     scene.fill = Fill{count, {0.05, 0.1}, 1000.0, 2.0, {dvec3(-2, -3, 0), dvec3(2, 3, 4)}, 9};
     scene.settings.balls = count;
     return scene;
@@ -95,6 +95,7 @@ TEST_CASE("the same seed gives the same world, another seed another one", "[core
 TEST_CASE("listed balls come first, and the fill keeps clear of them", "[core]") {
     Scene scene = filled_scene(300);
     scene.balls = {{{0, 0, 2}, {1, 2, 3}, 0.8, 5.0, std::nullopt}, {{1, -2, 3}, {}, 0.5, 6.0, 0.25}};
+    scene.settings.laws.restitution = true;
     scene.settings.restitution = 0.75;
     const World world = make_world(scene, 302, 4);
     CHECK(world.balls.positions[0] == vec4(0, 0, 2, 0.8f));
@@ -134,9 +135,9 @@ TEST_CASE("beyond the reference count the box widens, and the pile stays as deep
     CHECK(widening(scene, 100) == 1.0);
     CHECK(widening(scene, 400) == Approx(2.0).epsilon(1e-15));
     const World world = make_world(scene, 400, 9);
-    CHECK(world.half_extent.x == Approx(4.0));
-    CHECK(world.half_extent.y == Approx(6.0));
-    CHECK(world.half_extent.z == 4.0);
+    CHECK(world.box.upper.x == Approx(4.0));
+    CHECK(world.box.upper.y == Approx(6.0));
+    CHECK(world.box.upper.z == 4.0);
     scene.reference_count = 0;
     CHECK(widening(scene, 4000000) == 1.0);
 }

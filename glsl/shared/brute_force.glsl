@@ -3,7 +3,7 @@
 void add_neighbours(Ball a, inout vec3 force) {
     for (uint id = 0u; id < params.ball_count; ++id) {
         if (id != a.id) {
-            add_pair(a, load_ball(id), force);
+            add_pair(a, id, force);
         }
     }
 }

@@ -26,7 +26,9 @@
 #define BINDING_HASHES SLOT_KEYS  // HashSum an entry
 #define HASH_RING_SIZE 256
 
-#define BLOCK_PARAMS 0            // uniform block SubstepParams
+// Uniform block of a shader: the constants of a substep that it needs, under the names of core/substep_params.h. Which
+// those are differs from permutation to permutation, so the driver says where they lie.
+#define BLOCK_PARAMS 0
 
 // Bits of Status.bits, one for each kind of failure that a stage can meet.
 #define STATUS_NOT_FINITE 1u      // collide: a ball's new position or velocity is NaN or infinite
@@ -55,24 +57,4 @@ struct Status {
     uint not_finite;              // balls seen, summed over substeps since the last reset
     uint out_of_bounds;
     uint over_capacity;
-};
-
-// Constants of one substep. A kick turns v into decay * v + gain * a.
-struct SubstepParams {
-    vec3 gravity;                 // m/s^2
-    float drift;                  // s: x moves by drift * v
-    vec3 half_extent;             // m: the box is [-half_extent, half_extent]
-    float inverse_cell_width;     // 1/m
-    vec3 grid_origin;             // m: lower corner of cell 0
-    float stiffness;              // N/m
-    uvec3 grid_cells;             // cells along x, y, z
-    uint ball_count;
-    float decay;                  // factor of the kick: exp(-drag * duration)
-    float gain;                   // s: duration of the kick, shortened by drag
-    float second_decay;           // the same for the second kick (velocity Verlet)
-    float second_gain;
-    float damping_ratio;          // dashpot zeta of balls without a restitution of their own
-    uint key_count;               // next power of two of ball_count
-    uint cell_count;
-    uint padding;
 };

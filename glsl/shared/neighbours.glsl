@@ -13,7 +13,7 @@ void add_neighbours(Ball a, inout vec3 force) {
                 for (uint slot = range.first; slot < range.end; ++slot) {
                     uint id = keys[slot].ball_id;
                     if (id != a.id) {
-                        add_pair(a, load_ball(id), force);
+                        add_pair(a, id, force);
                     }
                 }
             }

@@ -1,5 +1,10 @@
 // The contact force of one ball on another.
 
+float ordered_dot(vec3 a, vec3 b) {
+    precise float sum = a.x * b.x + a.y * b.y + a.z * b.z;   // dot() may add in any order
+    return sum;
+}
+
 // Balls with the same centre have no line of centres. Both of a pair derive one axis from their ids and take
 // opposite ends of it, so that momentum is still conserved.
 vec3 coincident_direction(uint id, uint other) {
@@ -8,19 +13,30 @@ vec3 coincident_direction(uint id, uint other) {
     return vec3(axis == 0u ? end : 0.0, axis == 1u ? end : 0.0, axis == 2u ? end : 0.0);
 }
 
-void add_pair(Ball a, Ball b, inout vec3 force) {
-    precise vec3 offset = a.position - b.position;
-    precise float reach = a.radius + b.radius;
+// Of the other ball only the position is read, until it is known to touch; without a dashpot, nothing else at all.
+float pair_force(Ball a, uint other, vec3 normal, float overlap) {
+#ifdef LAW_DASHPOT
+    vec4 velocity = velocities[other];
+    float mass = mass_of(velocity);
+    precise float reduced_mass = a.mass * mass / (a.mass + mass);
+    precise float speed = ordered_dot(a.velocity - velocity.xyz, normal);
+    return damped_force(overlap, speed, reduced_mass, max(a.damping_ratio, damping_ratio_of(other)));
+#else
+    return spring_force(overlap);
+#endif
+}
+
+void add_pair(Ball a, uint other, inout vec3 force) {
+    vec4 position = positions[other];
+    precise vec3 offset = a.position - position.xyz;
+    precise float reach = a.radius + radius_of(position);
     precise float distance_squared = ordered_dot(offset, offset);
     precise float reach_squared = reach * reach;
     if (distance_squared < reach_squared) {   // false for NaN
         float separation = sqrt(distance_squared);
-        precise vec3 normal = distance_squared > 0.0 ? offset / separation : coincident_direction(a.id, b.id);
+        precise vec3 normal = distance_squared > 0.0 ? offset / separation : coincident_direction(a.id, other);
         precise float overlap = reach - separation;
-        precise float reduced_mass = a.mass * b.mass / (a.mass + b.mass);
-        precise float speed = ordered_dot(a.velocity - b.velocity, normal);
-        float damping_ratio = max(a.damping_ratio, b.damping_ratio);
-        precise vec3 sum = force + contact_force(overlap, speed, reduced_mass, damping_ratio) * normal;
+        precise vec3 sum = force + pair_force(a, other, normal, overlap) * normal;
         force = sum;
     }
 }

@@ -1,15 +1,29 @@
 // Contact forces of the box. Walls are half-spaces: the deeper the ball, the stronger the push, on both sides.
 
-float wall_force(float overlap, float separation_speed, Ball ball) {
-    return overlap > 0.0 ? contact_force(overlap, separation_speed, ball.mass, ball.damping_ratio) : 0.0;
+// `speed`: of the ball away from the wall.
+float wall_force(float overlap, float speed, Ball ball) {
+    if (!(overlap > 0.0)) {
+        return 0.0;
+    }
+#ifdef LAW_DASHPOT
+    return damped_force(overlap, speed, ball.mass, ball.damping_ratio);
+#else
+    return spring_force(overlap);
+#endif
 }
 
 void add_walls(Ball ball, inout vec3 force) {
-    precise vec3 low = ball.radius - (ball.position + params.half_extent);
-    precise vec3 high = ball.radius - (params.half_extent - ball.position);
+    precise vec3 low = ball.radius - (ball.position - params.box_lower);
+    precise vec3 high = ball.radius - (params.box_upper - ball.position);
+    vec3 from_low = ball.velocity;
+    vec3 from_high = ball.velocity;
+#ifdef LAW_MOVING_WALLS
+    from_low = ball.velocity - params.lower_velocity;
+    from_high = ball.velocity - params.upper_velocity;
+#endif
     for (int axis = 0; axis < 3; ++axis) {
-        precise float pushed = force[axis] + wall_force(low[axis], ball.velocity[axis], ball);
-        pushed = pushed - wall_force(high[axis], -ball.velocity[axis], ball);
+        precise float pushed = force[axis] + wall_force(low[axis], from_low[axis], ball);
+        pushed = pushed - wall_force(high[axis], -from_high[axis], ball);
         force[axis] = pushed;
     }
 }

@@ -45,8 +45,7 @@ public:
             const BallState state = simulation_.synchronised_state();
             write_trace_row(
                 file_->stream(), simulation_.step_count(), simulation_.time(),
-                measure::totals_of(state, simulation_.settings(), simulation_.features(), simulation_.half_extent()),
-                state);
+                measure::totals_of(state, simulation_.settings(), simulation_.features(), simulation_.box()), state);
         }
     }
     void commit() {
@@ -79,7 +78,7 @@ Json make_report(Simulation& simulation, const BallState& state, double wall_ms)
     report["wall_ms_per_step"] = steps > 0.0 ? wall_ms / steps : 0.0;
     report["settings"] = settings_json(simulation);
     report["totals"] =
-        totals_json(measure::totals_of(state, simulation.settings(), simulation.features(), simulation.half_extent()));
+        totals_json(measure::totals_of(state, simulation.settings(), simulation.features(), simulation.box()));
     report["status"] = status_json(read_slot<Status>(simulation.backend(), Slot::status).front());
     report["overlapping_at_start"] = simulation.overlapping_at_start();
     report["state_hash"] = hash_text(hash_state(simulation.raw_state()));

@@ -15,7 +15,7 @@ Json device_json(const Backend& backend) {
 Json settings_json(const Simulation& simulation) {
     Json json = Json::object();
     for (const SettingInfo& info : setting_table()) {
-        if (setting_applies(info, simulation.features())) {
+        if (setting_applies(info, simulation.settings().laws)) {
             json[std::string(info.key)] = setting_text(info, simulation.settings());
         }
     }

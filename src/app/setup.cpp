@@ -18,7 +18,7 @@ void apply_setting(Setup& setup, const std::string& text) {
     }
     const std::string key = text.substr(0, equals);
     const SettingInfo* info = find_setting(key);
-    if (info != nullptr && !setting_applies(*info, scene_features(setup.scene, setup.settings))) {
+    if (info != nullptr && !setting_applies(*info, setup.settings.laws)) {
         throw InputError("--set " + text + ": scene '" + setup.scene.name + "' has no law that uses '" + key + "'");
     }
     assign_setting(setup.settings, key, text.substr(equals + 1));

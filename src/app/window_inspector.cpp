@@ -20,6 +20,9 @@ bool has_room(const Schedule& schedule, std::size_t slot) {
             return schedule.cell_count > 0;
         case Slot::damping_ratios:
             return schedule.features.has(Feature::ball_restitution) && schedule.ball_count > 0;
+        case Slot::next_positions:
+        case Slot::next_velocities:
+            return !schedule.in_place && schedule.ball_count > 0;
         default:
             return schedule.ball_count > 0;
     }

@@ -128,7 +128,7 @@ void Probe::take_sample(Session& session, const Inspector& inspector, bool runni
     Stepper& stepper = session.stepper();
     const std::uint32_t dispatch = running ? 0 : stepper.position().dispatch;
     auto sample = make_sample(copies, stepper.schedule(), session.simulation().params(), dispatch);
-    within_substep_ = dispatch > 0;
+    within_substep_ = dispatch > 0 || stepper.schedule().in_place;
     sample_revision_ = revision;
     sample_ = sample ? std::make_shared<const measure::BufferSample>(std::move(*sample)) : nullptr;
 }
@@ -213,7 +213,8 @@ void Probe::take_differences(const ui::LiveCheckState& check, std::uint32_t ball
     difference_revision_ = revision;
     std::vector<float> values(balls, 0.0f);
     for (const ui::SlotDifference& slot : collide.differences) {
-        if (slot.slot == Slot::next_velocities && slot.gpu.size() == balls * sizeof(vec4)) {
+        const bool velocities = slot.slot == Slot::next_velocities || slot.slot == Slot::velocities;
+        if (velocities && slot.gpu.size() == balls * sizeof(vec4)) {
             values = measure::difference_values(typed<vec4>(slot.gpu), typed<vec4>(slot.cpu));
         }
     }

@@ -33,7 +33,12 @@ measure::StageNumbers numbers_of(const Inspector& inspector, const ui::SteppingS
             return measure::ClearNumbers{schedule.cell_count};
         case Shader::build_grid:
             return measure::build_numbers(copy_of<CellRange>(inspector, Slot::cell_ranges));
-        case Shader::collide:  // its output has become the state, its input the other buffer
+        case Shader::collide:
+            if (schedule.in_place) {
+                return measure::collide_numbers(copy_of<vec4>(inspector, Slot::positions),
+                                                copy_of<vec4>(inspector, Slot::velocities));
+            }
+            // Its output has become the state, its input the other buffer.
             return measure::collide_numbers(copy_of<vec4>(inspector, Slot::next_positions),
                                             copy_of<vec4>(inspector, Slot::velocities));
     }
@@ -63,7 +68,7 @@ void StageNumbersReader::ask(Inspector& inspector, const ui::SteppingState& step
             inspector.want(Slot::cell_ranges);
             break;
         case Shader::collide:
-            inspector.want(Slot::next_positions);
+            inspector.want(stepping.schedule->in_place ? Slot::positions : Slot::next_positions);
             inspector.want(Slot::velocities);
             break;
     }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/integrator.h"
+#include "core/settings.h"
 
 namespace ballpit {
 
@@ -21,10 +21,15 @@ enum class Feature : std::uint32_t {
     velocity_verlet = 1u << 7,   // integrators; none of these three means kick, then drift
     forward_euler = 1u << 8,
     historical = 1u << 9,
-    brute_force = 1u << 10,  // neighbours: every other ball, no grid
+    brute_force = 1u << 10,     // neighbours: every other ball, no grid
+    unequal_radii = 1u << 11,   // without it all balls have one radius, a constant
+    unequal_masses = 1u << 12,  // the same for masses
+    moving_walls = 1u << 13,    // the walls' velocity enters the dashpot
+    pull = 1u << 14,            // a spring on one ball
+    diagnostics = 1u << 15,     // stages count what goes wrong
 };
 
-inline constexpr std::array<std::string_view, 11> feature_defines = {"LAW_GRAVITY",
+inline constexpr std::array<std::string_view, 16> feature_defines = {"LAW_GRAVITY",
                                                                      "LAW_DRAG",
                                                                      "LAW_CONTACT",
                                                                      "LAW_DASHPOT",
@@ -34,7 +39,12 @@ inline constexpr std::array<std::string_view, 11> feature_defines = {"LAW_GRAVIT
                                                                      "INTEGRATOR_VELOCITY_VERLET",
                                                                      "INTEGRATOR_FORWARD_EULER",
                                                                      "INTEGRATOR_HISTORICAL",
-                                                                     "NEIGHBOURS_BRUTE_FORCE"};
+                                                                     "NEIGHBOURS_BRUTE_FORCE",
+                                                                     "LAW_UNEQUAL_RADII",
+                                                                     "LAW_UNEQUAL_MASSES",
+                                                                     "LAW_MOVING_WALLS",
+                                                                     "LAW_PULL",
+                                                                     "DIAGNOSTICS"};
 
 struct Features {
     std::uint32_t bits = 0;
@@ -44,5 +54,17 @@ struct Features {
     friend constexpr bool operator==(Features, Features) = default;
     friend constexpr auto operator<=>(Features, Features) = default;
 };
+
+/// In what the balls of a scene differ, and the value that they share in what they do not.
+struct Variety {
+    bool radii = false;
+    bool masses = false;
+    bool restitutions = false;  // some ball has its own
+    float radius = 0.0f;        // m, of ball 0
+    float mass = 1.0f;          // kg, of ball 0
+};
+
+/// What these laws and settings ask for, with such balls. `walls_move`: see box.h.
+Features features_of(const Settings& settings, const Variety& variety, bool walls_move);
 
 }  // namespace ballpit

@@ -11,12 +11,12 @@ std::uint32_t maximum_cells(std::uint32_t ball_count) {
     return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1u << 15, 1u << 24));
 }
 
-Grid make_grid(const dvec3& half_extent, double r_max, double cell_factor, std::uint32_t ball_count) {
+Grid make_grid(const Box& box, double r_max, double cell_factor, std::uint32_t ball_count) {
     const auto limit = static_cast<double>(maximum_cells(ball_count));
     Grid grid;
-    grid.origin = -half_extent;
+    grid.origin = box.lower;
     grid.cell_width = std::max(2.0 * r_max * cell_factor, 1e-6);
-    const dvec3 size = 2.0 * half_extent;
+    const dvec3 size = box.size();
     const auto cells_along = [&](int axis) { return std::max(1.0, std::ceil(size[axis] / grid.cell_width)); };
     while (cells_along(0) * cells_along(1) * cells_along(2) > limit) {
         grid.cell_width *= 1.02;

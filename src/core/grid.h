@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/box.h"
 #include "core/vector.h"
 
 namespace ballpit {
@@ -21,6 +22,6 @@ std::uint32_t maximum_cells(std::uint32_t ball_count);
 
 /// Cell width 2 * r_max * cell_factor and a little more, so that rounding never misses a pair; wider where the box
 /// would need more than maximum_cells. Balls outside the box belong to the outermost cells.
-Grid make_grid(const dvec3& half_extent, double r_max, double cell_factor, std::uint32_t ball_count);
+Grid make_grid(const Box& box, double r_max, double cell_factor, std::uint32_t ball_count);
 
 }  // namespace ballpit

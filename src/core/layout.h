@@ -14,8 +14,6 @@ using uvec3 = glm::uvec3;
 #include "shared/layout.h"
 
 static_assert(sizeof(Key) == 8 && sizeof(CellRange) == 8 && sizeof(Status) == 16 && sizeof(HashSum) == 8);
-static_assert(sizeof(SubstepParams) == 96 && offsetof(SubstepParams, grid_cells) == 48 &&
-              offsetof(SubstepParams, decay) == 64 && offsetof(SubstepParams, damping_ratio) == 80);
 
 }  // namespace ballpit::layout
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/features.h"
+#include "core/box.h"
 #include "core/settings.h"
 #include "core/vector.h"
 
@@ -33,12 +33,12 @@ struct Fill {
     std::uint64_t seed = 0;
 };
 
-struct Laws {
-    bool gravity = false;
-    bool drag = false;
-    bool contact = false;
-    bool restitution = false;
-    bool walls = false;
+/// The moment at which a running scene was saved: what it needs, beside the balls, to go on bit for bit.
+struct Resume {
+    std::uint64_t step = 0;
+    double time = 0.0;          // s
+    double velocity_lag = 0.0;  // s (integrator.h)
+    WallShift walls;
 };
 
 struct Scene {
@@ -48,16 +48,13 @@ struct Scene {
     /// If not 0: with more balls than this, box and fill region widen in x and y by sqrt(balls / reference_count),
     /// so that a pile is as deep at every count.
     std::uint32_t reference_count = 0;
-    Laws laws;
     Settings settings;  // settings.balls == balls.size() + fill count
     std::vector<BallSpec> balls;
     std::optional<Fill> fill;
+    std::optional<Resume> resume;
 };
 
 /// Factor by which box and fill region are wider in x and y at this count; 1 or more.
 double widening(const Scene& scene, std::uint32_t balls);
-
-/// The features that these laws and settings ask for.
-Features scene_features(const Scene& scene, const Settings& settings);
 
 }  // namespace ballpit

@@ -41,11 +41,11 @@ void read_box(const JsonValue& box, Scene& scene) {
 
 void read_contact(const JsonValue& contact, Scene& scene) {
     contact.expect_object({"stiffness", "restitution", "limit_force"});
-    scene.laws.contact = true;
+    scene.settings.laws.contact = true;
     scene.settings.stiffness = read_setting(contact.required("stiffness"), "stiffness");
     scene.settings.restitution = 1.0;
     if (const auto restitution = contact.optional("restitution")) {
-        scene.laws.restitution = true;
+        scene.settings.laws.restitution = true;
         scene.settings.restitution = read_restitution(*restitution);
     }
     if (const auto limit_force = contact.optional("limit_force")) {
@@ -57,19 +57,19 @@ void read_laws(const JsonValue& laws, Scene& scene) {
     laws.expect_object({"gravity", "drag", "contact", "walls"});
     if (const auto gravity = laws.optional("gravity")) {
         const SettingInfo& info = setting("gravity");
-        scene.laws.gravity = true;
+        scene.settings.laws.gravity = true;
         scene.settings.gravity = gravity->vector_between(info.minimum, info.maximum, info.unit);
     }
     if (const auto drag = laws.optional("drag")) {
-        scene.laws.drag = true;
+        scene.settings.laws.drag = true;
         scene.settings.drag = read_setting(*drag, "drag");
     }
     if (const auto contact = laws.optional("contact")) {
         read_contact(*contact, scene);
     }
     if (const auto walls = laws.optional("walls")) {
-        scene.laws.walls = walls->boolean();
-        if (scene.laws.walls && !scene.laws.contact) {
+        scene.settings.laws.walls = walls->boolean();
+        if (scene.settings.laws.walls && !scene.settings.laws.contact) {
             walls->refuse("a law 'contact' beside walls, whose stiffness they share", "none");
         }
     }
@@ -125,7 +125,7 @@ BallSpec read_ball(const JsonValue& ball, const Scene& scene) {
     spec.mass = ball.required("mass").number_between(smallest_mass, largest_mass, "kg");
     if (const auto restitution = ball.optional("restitution")) {
         spec.restitution = read_restitution(*restitution);
-        if (!scene.laws.contact) {
+        if (!scene.settings.laws.contact) {
             restitution->refuse("a law 'contact' beside a ball's restitution", "none");
         }
     }

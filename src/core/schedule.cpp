@@ -13,10 +13,35 @@ constexpr std::uint32_t folded_width = 32768;
 bool needs_grid(Features features) { return features.has(Feature::contact) && !features.has(Feature::brute_force); }
 
 // Features that each shader looks at; the others must not split its permutations.
-Features relevant(Shader shader, Features features) { return shader == Shader::collide ? features : Features{}; }
+Features relevant(Shader shader, Features features) {
+    Features seen;
+    switch (shader) {
+        case Shader::collide:
+            return features;
+        case Shader::assign_cells:
+        case Shader::build_grid:
+            seen.add(Feature::diagnostics, features.has(Feature::diagnostics));
+            break;
+        case Shader::bitonic_sort:
+        case Shader::bitonic_sort_fused:
+        case Shader::clear_cells:
+            break;
+    }
+    return seen;
+}
 
 struct Builder {
     Schedule& schedule;
+
+    // A stage that counts failures does so in the status word.
+    void add_diagnosed(Stage stage, std::string name, Shader shader, Groups groups, std::vector<Slot> reads,
+                       std::vector<Slot> writes) const {
+        if (schedule.features.has(Feature::diagnostics)) {
+            reads.push_back(Slot::status);
+            writes.push_back(Slot::status);
+        }
+        add(stage, std::move(name), shader, groups, {}, std::move(reads), std::move(writes));
+    }
 
     void add(Stage stage, std::string name, Shader shader, Groups groups, std::array<std::uint32_t, 4> constants,
              std::vector<Slot> reads, std::vector<Slot> writes) const {
@@ -70,25 +95,27 @@ struct Builder {
     }
 
     void build_neighbour_grid(SortMethod sort) const {
-        add(Stage::assign_cells, "assign_cells", Shader::assign_cells, groups_for(schedule.key_count, GROUP_SIZE), {},
-            {Slot::positions, Slot::status}, {Slot::keys, Slot::status});
+        add_diagnosed(Stage::assign_cells, "assign_cells", Shader::assign_cells,
+                      groups_for(schedule.key_count, GROUP_SIZE), {Slot::positions}, {Slot::keys});
         sort == SortMethod::bitonic ? sort_pass_by_pass() : sort_fused();
         add(Stage::build_grid, "clear_cells", Shader::clear_cells, groups_for(schedule.cell_count, GROUP_SIZE), {}, {},
             {Slot::cell_ranges});
-        add(Stage::build_grid, "build_grid", Shader::build_grid, groups_for(schedule.ball_count, GROUP_SIZE), {},
-            {Slot::keys, Slot::status}, {Slot::cell_ranges, Slot::status});
+        add_diagnosed(Stage::build_grid, "build_grid", Shader::build_grid, groups_for(schedule.ball_count, GROUP_SIZE),
+                      {Slot::keys}, {Slot::cell_ranges});
     }
 
     void collide() const {
-        std::vector<Slot> reads{Slot::positions, Slot::velocities, Slot::status};
+        std::vector<Slot> reads{Slot::positions, Slot::velocities};
         if (needs_grid(schedule.features)) {
             reads.insert(reads.end(), {Slot::keys, Slot::cell_ranges});
         }
         if (schedule.features.has(Feature::ball_restitution)) {
             reads.push_back(Slot::damping_ratios);
         }
-        add(Stage::collide, "collide", Shader::collide, groups_for(schedule.ball_count, GROUP_SIZE), {},
-            std::move(reads), {Slot::next_positions, Slot::next_velocities, Slot::status});
+        std::vector<Slot> writes = schedule.in_place ? std::vector{Slot::positions, Slot::velocities}
+                                                     : std::vector{Slot::next_positions, Slot::next_velocities};
+        add_diagnosed(Stage::collide, "collide", Shader::collide, groups_for(schedule.ball_count, GROUP_SIZE),
+                      std::move(reads), std::move(writes));
     }
 };
 
@@ -107,6 +134,7 @@ Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features feat
     schedule.features = features;
     schedule.grid = grid;
     schedule.ball_count = ball_count;
+    schedule.in_place = !features.has(Feature::contact);
     if (ball_count == 0) {
         return schedule;
     }

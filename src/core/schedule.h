@@ -76,12 +76,14 @@ struct Schedule {
     std::uint32_t ball_count = 0;
     std::uint32_t key_count = 0;  // 0 where no grid is needed
     std::uint32_t cell_count = 0;
+    bool in_place = false;  // no ball looks at another: one state buffer will do, nothing is written to next_*
 };
 
 /// Groups that cover this many invocations of groups of `group_size`.
 Groups groups_for(std::uint32_t invocations, std::uint32_t group_size);
 
 /// The dispatches of a substep. No balls: an empty list. No contact law, or brute force: a single `collide`, no grid.
+/// Without the contact law it works in place.
 Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort);
 
 }  // namespace ballpit

@@ -14,20 +14,28 @@ namespace ballpit {
 
 namespace {
 
-constexpr Feature always{};
+using Needs = std::array<bool Laws::*, 2>;
+constexpr Needs always{};
+constexpr Needs gravity{&Laws::gravity};
+constexpr Needs drag{&Laws::drag};
+constexpr Needs contact{&Laws::contact};
+constexpr Needs restitution{&Laws::restitution};
+constexpr Needs walls{&Laws::walls};
+constexpr Needs shake{&Laws::shake};
+constexpr Needs contact_or_walls{&Laws::contact, &Laws::walls};
 
-constexpr std::array<SettingInfo, 12> table = {{
+constexpr std::array<SettingInfo, 19> table = {{
     {"balls", "Balls", "", 0, maximum_balls, true, always,
      "How many balls; those that stay keep their motion when the number changes.", &Settings::balls},
-    {"gravity", "Gravity", "m/s^2", -100, 100, false, Feature::gravity, "Acceleration of every ball as x,y,z; z is up.",
+    {"gravity", "Gravity", "m/s^2", -100, 100, false, gravity, "Acceleration of every ball as x,y,z; z is up.",
      &Settings::gravity},
-    {"drag", "Drag", "1/s", 0, 100, true, Feature::drag, "Linear drag: without forces the speed falls by exp(-drag t).",
+    {"drag", "Drag", "1/s", 0, 100, true, drag, "Linear drag: without forces the speed falls by exp(-drag t).",
      &Settings::drag},
-    {"stiffness", "Stiffness", "N/m", 0, 1e8, true, Feature::contact,
+    {"stiffness", "Stiffness", "N/m", 0, 1e8, true, contact_or_walls,
      "Spring constant k of every contact: force per metre of overlap.", &Settings::stiffness},
-    {"restitution", "Restitution", "", minimum_restitution, 1, false, Feature::dashpot,
+    {"restitution", "Restitution", "", minimum_restitution, 1, false, restitution,
      "Share of the approach speed that a collision gives back.", &Settings::restitution},
-    {"limit_force", "No pull", "", 0, 1, false, Feature::dashpot,
+    {"limit_force", "No pull", "", 0, 1, false, restitution,
      "Whether a contact may only push (on) or also pull while it opens (off).", &Settings::limit_force},
     {"dt", "Step length", "s", 0, 1, true, always,
      "Time from one displayed frame to the next; a substep is dt / substeps.", &Settings::dt},
@@ -35,14 +43,27 @@ constexpr std::array<SettingInfo, 12> table = {{
      "Runs of all stages in a step: more are slower and more accurate.", &Settings::substeps},
     {"integrator", "Integrator", "", 0, 0, false, always, "How velocity and position are advanced.",
      &Settings::integrator},
-    {"sort", "Sort", "", 0, 0, false, Feature::contact,
+    {"sort", "Sort", "", 0, 0, false, contact,
      "How the keys are sorted: pass by pass, or with the inner passes fused in shared memory.", &Settings::sort},
-    {"cell_factor", "Cell factor", "", 0.25, 8, true, Feature::contact,
+    {"cell_factor", "Cell factor", "", 0.25, 8, true, contact,
      "Cell width over the largest diameter; below 1 the grid misses pairs, which is there to be shown.",
      &Settings::cell_factor},
-    {"neighbours", "Neighbours", "", 0, 0, false, Feature::contact,
+    {"neighbours", "Neighbours", "", 0, 0, false, contact,
      "Whether a ball looks for its neighbours in the cells around it, or asks every other ball.",
      &Settings::neighbours},
+    {"laws", "Laws", "", 0, 0, false, always, "What the scene models, as a list of laws.", &Settings::laws},
+    {"walls_low", "Lower walls", "m", -100, 100, false, walls,
+     "Where the lower walls stand, counted from their place in the scene; they move there.", &Settings::walls_low},
+    {"walls_high", "Upper walls", "m", -100, 100, false, walls,
+     "Where the upper walls stand, counted from their place in the scene; they move there.", &Settings::walls_high},
+    {"wall_speed", "Wall speed", "m/s", 0.001, 100, true, walls, "How fast walls move to where they are wanted.",
+     &Settings::wall_speed},
+    {"shake_amplitude", "Shake", "m", -10, 10, false, shake, "How far the box swings to either side.",
+     &Settings::shake_amplitude},
+    {"shake_frequency", "Frequency", "Hz", 0.01, 100, true, shake, "How often the box swings in a second.",
+     &Settings::shake_frequency},
+    {"pull", "Pull", "m", -1e4, 1e4, false, always,
+     "A ball that is held, and the point to which a spring pulls it: id,x,y,z.", &Settings::pull},
 }};
 
 template <class Number>
@@ -109,18 +130,33 @@ struct Assign {
         }
         settings.*member = text == "true";
     }
-    void operator()(dvec3 Settings::*member) const {
-        const std::size_t first = text.find(',');
-        const std::size_t second = first == std::string_view::npos ? first : text.find(',', first + 1);
+    dvec3 vector(std::string_view part) const {
+        const std::size_t first = part.find(',');
+        const std::size_t second = first == std::string_view::npos ? first : part.find(',', first + 1);
         if (second == std::string_view::npos) {
             refuse(info, text, "three numbers x,y,z, each " + range_text(info));
         }
-        settings.*member = {real(text.substr(0, first)), real(text.substr(first + 1, second - first - 1)),
-                            real(text.substr(second + 1))};
+        return {real(part.substr(0, first)), real(part.substr(first + 1, second - first - 1)),
+                real(part.substr(second + 1))};
     }
+    void operator()(dvec3 Settings::*member) const { settings.*member = vector(text); }
     void operator()(Integrator Settings::*member) const { assign_choice(info, text, settings.*member); }
     void operator()(SortMethod Settings::*member) const { assign_choice(info, text, settings.*member); }
     void operator()(NeighbourSearch Settings::*member) const { assign_choice(info, text, settings.*member); }
+    void operator()(Laws Settings::*member) const { settings.*member = parse_laws(text); }
+    void operator()(std::optional<Pull> Settings::*member) const {
+        if (text == "none") {
+            (settings.*member).reset();
+            return;
+        }
+        const std::size_t comma = text.find(',');
+        Pull pull;
+        if (comma == std::string_view::npos || !parse_number(text.substr(0, comma), pull.ball)) {
+            refuse(info, text, "none, or the number of a ball and a point: id,x,y,z");
+        }
+        pull.target = vector(text.substr(comma + 1));
+        settings.*member = pull;
+    }
 };
 
 struct Text {
@@ -129,10 +165,10 @@ struct Text {
     std::string operator()(double Settings::*member) const { return number_text(settings.*member); }
     std::string operator()(std::uint32_t Settings::*member) const { return std::to_string(settings.*member); }
     std::string operator()(bool Settings::*member) const { return settings.*member ? "true" : "false"; }
-    std::string operator()(dvec3 Settings::*member) const {
-        const dvec3& v = settings.*member;
+    static std::string vector(const dvec3& v) {
         return number_text(v.x) + "," + number_text(v.y) + "," + number_text(v.z);
     }
+    std::string operator()(dvec3 Settings::*member) const { return vector(settings.*member); }
     std::string operator()(Integrator Settings::*member) const {
         return std::string(integrator_names.at(static_cast<std::size_t>(settings.*member)));
     }
@@ -141,6 +177,11 @@ struct Text {
     }
     std::string operator()(NeighbourSearch Settings::*member) const {
         return std::string(neighbour_search_names.at(static_cast<std::size_t>(settings.*member)));
+    }
+    std::string operator()(Laws Settings::*member) const { return laws_text(settings.*member); }
+    std::string operator()(std::optional<Pull> Settings::*member) const {
+        const std::optional<Pull>& pull = settings.*member;
+        return pull ? std::to_string(pull->ball) + "," + vector(pull->target) : "none";
     }
 };
 
@@ -166,8 +207,9 @@ std::span<const std::string_view> setting_choices(const SettingInfo& info) {
     return {};
 }
 
-bool setting_applies(const SettingInfo& info, Features features) {
-    return info.needs == always || features.has(info.needs);
+bool setting_applies(const SettingInfo& info, const Laws& laws) {
+    return info.needs == always ||
+           std::ranges::any_of(info.needs, [&](bool Laws::*law) { return law != nullptr && laws.*law; });
 }
 
 std::string setting_text(const SettingInfo& info, const Settings& settings) {

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include "core/features.h"
 #include "core/integrator.h"
+#include "core/laws.h"
 #include "core/vector.h"
 
 namespace ballpit {
@@ -21,8 +22,16 @@ inline constexpr std::array<std::string_view, 2> sort_names = {"bitonic", "biton
 enum class NeighbourSearch { grid, brute_force };
 inline constexpr std::array<std::string_view, 2> neighbour_search_names = {"grid", "brute_force"};
 
+/// A hand that holds one ball: a critically damped spring to a point.
+struct Pull {
+    std::uint32_t ball = 0;
+    dvec3 target{0.0};  // m
+    friend bool operator==(const Pull&, const Pull&) = default;
+};
+
 struct Settings {
     std::uint32_t balls = 0;
+    Laws laws;
     dvec3 gravity{0.0, 0.0, -9.8};
     double drag = 0.1;
     double stiffness = 1000.0;
@@ -34,6 +43,12 @@ struct Settings {
     SortMethod sort = SortMethod::bitonic_fused;
     double cell_factor = 1.0;
     NeighbourSearch neighbours = NeighbourSearch::grid;
+    dvec3 walls_low{0.0};                  // m, where the lower walls shall stand, from where the scene has them
+    dvec3 walls_high{0.0};                 // m, the same for the upper walls
+    double wall_speed = 1.0;               // m/s, at which they go there
+    dvec3 shake_amplitude{0.0, 0.0, 0.1};  // m
+    double shake_frequency = 2.0;          // Hz
+    std::optional<Pull> pull;
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -41,7 +56,8 @@ struct Settings {
 inline constexpr std::uint32_t maximum_balls = 1u << 22;
 
 using SettingMember = std::variant<double Settings::*, std::uint32_t Settings::*, bool Settings::*, dvec3 Settings::*,
-                                   Integrator Settings::*, SortMethod Settings::*, NeighbourSearch Settings::*>;
+                                   Integrator Settings::*, SortMethod Settings::*, NeighbourSearch Settings::*,
+                                   Laws Settings::*, std::optional<Pull> Settings::*>;
 
 struct SettingInfo {
     std::string_view key;    // as in --set and in scene files
@@ -49,9 +65,9 @@ struct SettingInfo {
     std::string_view unit;   // "" where there is none
     double minimum;
     double maximum;
-    bool logarithmic;        // slider scale
-    Feature needs;           // law without which the setting does nothing; Feature{} if it always counts
-    std::string_view about;  // one sentence
+    bool logarithmic;                   // slider scale
+    std::array<bool Laws::*, 2> needs;  // without any of these laws the setting does nothing; none: it always counts
+    std::string_view about;             // one sentence
     SettingMember member;
 };
 
@@ -64,10 +80,11 @@ const SettingInfo* find_setting(std::string_view key);
 /// Names a choice setting can take; empty for the other kinds.
 std::span<const std::string_view> setting_choices(const SettingInfo& info);
 
-/// Whether the setting does anything in a scene with these features.
-bool setting_applies(const SettingInfo& info, Features features);
+/// Whether the setting does anything where these laws hold.
+bool setting_applies(const SettingInfo& info, const Laws& laws);
 
-/// Value as --set would take it, with round-trip precision: "8", "0.1", "0,0,-9.8", "leapfrog".
+/// Value as --set would take it, with round-trip precision: "8", "0.1", "0,0,-9.8", "leapfrog", "gravity,walls",
+/// "73,0,0,5" (ball 73 is pulled to a point) or "none".
 std::string setting_text(const SettingInfo& info, const Settings& settings);
 
 /// Sets one value from text. Throws InputError (key, text, what was expected) for an unknown key, text that

@@ -1,6 +1,11 @@
 #include "core/simulation.h"
 
 #include <algorithm>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
 
 namespace ballpit {
 
@@ -26,45 +31,82 @@ void Simulation::load(Scene scene, const Settings& settings, std::uint64_t seed)
     scene_ = std::move(scene);
     settings_ = settings;
     seed_ = seed;
-    load_world(world);
+    load_world(std::move(world));
 }
 
+// Balls that were thrown in do not come back.
 void Simulation::restart(std::uint64_t seed) {
+    World world = make_world(scene_, settings_.balls - added_, seed);
+    settings_.balls -= added_;
     seed_ = seed;
-    load_world(make_world(scene_, settings_.balls, seed));
+    load_world(std::move(world));
 }
 
-void Simulation::load_world(const World& world) {
-    half_extent_ = world.half_extent;
+// A saved moment goes on where it was; any other world starts at 0.
+void Simulation::load_world(World world) {
+    const Resume from = scene_.resume.value_or(Resume{});
+    scene_box_ = world.box;
+    walls_ = from.walls;
     overlapping_ = world.overlapping;
-    step_count_ = 0;
+    added_ = 0;
+    step_count_ = from.step;
     substep_ = 0;
     substeps_since_base_ = 0;
-    time_base_ = 0.0;
+    time_base_ = from.time;
+    world.balls.velocity_lag = from.velocity_lag;
     load_state(world.balls);
 }
 
 void Simulation::load_state(const BallState& state) {
-    restitutions_ = ball_restitutions(scene_, settings_.restitution, state.count());
+    restitutions_ = ball_restitutions(scene_, settings_, state.count());
     velocity_lag_ = state.velocity_lag;
     largest_radius_ = largest_radius(state.positions);
-    schedule_ = wanted_schedule(state.count());
+    variety_ = variety_of({state.positions, state.velocities, restitutions_, velocity_lag_});
+    set_schedule(state.count());
     backend_->load({state.positions, state.velocities, restitutions_, velocity_lag_}, schedule_, settings_.limit_force);
 }
 
-Schedule Simulation::wanted_schedule(std::uint32_t ball_count) const {
-    const Grid grid = make_grid(half_extent_, largest_radius_, settings_.cell_factor, ball_count);
-    return make_schedule(ball_count, grid, scene_features(scene_, settings_), settings_.sort);
+Features Simulation::wanted_features(const Settings& settings) const {
+    return features_of(settings, variety_, ballpit::walls_move(walls_, settings, scene_box_, wall_room()));
+}
+
+// The grid covers the box of the scene and the one that is wanted, wherever the walls are between the two: the order of
+// the cells, and with it every bit, must not depend on how a moment was reached. Balls beyond have its outermost cells.
+void Simulation::set_schedule(std::uint32_t ball_count) {
+    const Box wanted = shifted(scene_box_, {settings_.walls_low, settings_.walls_high, dvec3(0.0), 0.0});
+    const Grid grid = make_grid(united(scene_box_, wanted), largest_radius_, settings_.cell_factor, ball_count);
+    schedule_ = make_schedule(ball_count, grid, wanted_features(settings_), settings_.sort);
+    ++schedule_changes_;
+}
+
+Walls Simulation::walls() const {
+    const double dt = substep_dt();
+    return walls_move() ? moving_walls(scene_box_, walls_, advance(walls_, settings_, scene_box_, wall_room(), dt), dt)
+                        : Walls(box());
 }
 
 SubstepParams<double> Simulation::params() const {
     const SubstepMotion motion = substep_motion(settings_.integrator, drag(), substep_dt(), velocity_lag_);
-    return make_substep_params(settings_, half_extent_, schedule_.grid, motion, schedule_.ball_count);
+    return make_substep_params(settings_, walls(), schedule_.grid, motion, schedule_.ball_count, variety_);
+}
+
+void Simulation::advance_walls() {
+    if (!walls_move()) {
+        return;
+    }
+    walls_ = advance(walls_, settings_, scene_box_, wall_room(), substep_dt());
+    if (!walls_move()) {  // arrived: from here on their velocity is not asked for
+        set_schedule(schedule_.ball_count);
+        backend_->reschedule(schedule_);
+    }
 }
 
 void Simulation::end_substep() {
-    backend_->swap_states();
+    if (!schedule_.in_place) {
+        backend_->swap_states();
+    }
     velocity_lag_ = substep_motion(settings_.integrator, drag(), substep_dt(), velocity_lag_).lag_after;
+    advance_walls();
     ++substeps_since_base_;
     ++substep_;
     if (substep_ >= settings_.substeps) {  // more than, where the number was lowered within the step
@@ -86,22 +128,39 @@ void Simulation::step() {
 }
 
 Checkpoint Simulation::checkpoint() {
-    return {backend_->save(), settings_,   half_extent_, largest_radius_,      velocity_lag_, restitutions_,
-            overlapping_,     step_count_, substep_,     substeps_since_base_, time_base_};
+    Checkpoint checkpoint;
+    checkpoint.state = backend_->save();
+    checkpoint.settings = settings_;
+    checkpoint.scene_box = scene_box_;
+    checkpoint.walls = walls_;
+    checkpoint.largest_radius = largest_radius_;
+    checkpoint.variety = variety_;
+    checkpoint.velocity_lag = velocity_lag_;
+    checkpoint.restitutions = restitutions_;
+    checkpoint.overlapping = overlapping_;
+    checkpoint.added = added_;
+    checkpoint.step_count = step_count_;
+    checkpoint.substep = substep_;
+    checkpoint.substeps_since_base = substeps_since_base_;
+    checkpoint.time_base = time_base_;
+    return checkpoint;
 }
 
 void Simulation::restore(const Checkpoint& checkpoint) {
     settings_ = checkpoint.settings;
-    half_extent_ = checkpoint.half_extent;
+    scene_box_ = checkpoint.scene_box;
+    walls_ = checkpoint.walls;
     largest_radius_ = checkpoint.largest_radius;
+    variety_ = checkpoint.variety;
     velocity_lag_ = checkpoint.velocity_lag;
     restitutions_ = checkpoint.restitutions;
     overlapping_ = checkpoint.overlapping;
+    added_ = checkpoint.added;
     step_count_ = checkpoint.step_count;
     substep_ = checkpoint.substep;
     substeps_since_base_ = checkpoint.substeps_since_base;
     time_base_ = checkpoint.time_base;
-    schedule_ = wanted_schedule(checkpoint.state->ball_count());
+    set_schedule(checkpoint.state->ball_count());
     backend_->restore(*checkpoint.state, schedule_);
 }
 
@@ -116,33 +175,63 @@ void Simulation::change(const Settings& wanted) {
     if (wanted == settings_) {
         return;
     }
-    rebase_clock();
     const bool other_count = wanted.balls != settings_.balls;
-    const bool other_program = scene_features(scene_, wanted) != schedule_.features;
-    const bool other_damping = wanted.restitution != settings_.restitution && !restitutions_.empty();
+    const bool other_program = wanted_features(wanted) != schedule_.features;
+    const bool other_damping = ball_restitutions(scene_, wanted, settings_.balls) != restitutions_;
     if (other_count || other_program || other_damping) {
         World world;
         if (other_count) {
             world = make_world(scene_, wanted.balls, seed_);  // may throw: nothing has changed yet
         }
         BallState state = synchronised_state();
+        rebase_clock();
         if (other_count) {
             const std::size_t kept = std::min<std::size_t>(state.count(), wanted.balls);
             std::copy_n(state.positions.begin(), kept, world.balls.positions.begin());
             std::copy_n(state.velocities.begin(), kept, world.balls.velocities.begin());
             state = std::move(world.balls);
-            half_extent_ = glm::max(half_extent_, world.half_extent);  // walls never close in on balls
+            scene_box_ = united(scene_box_, world.box);  // walls never close in on balls
             overlapping_ = world.overlapping;
+            added_ -= std::min(added_, settings_.balls - std::min(settings_.balls, wanted.balls));
         }
         settings_ = wanted;
         load_state(state);
         return;
     }
-    const bool other_schedule = wanted.sort != settings_.sort || wanted.cell_factor != settings_.cell_factor;
+    rebase_clock();
+    const bool other_schedule = wanted.sort != settings_.sort || wanted.cell_factor != settings_.cell_factor ||
+                                wanted.walls_low != settings_.walls_low || wanted.walls_high != settings_.walls_high;
     settings_ = wanted;
     if (other_schedule) {
-        schedule_ = wanted_schedule(schedule_.ball_count);
+        set_schedule(schedule_.ball_count);
         backend_->reschedule(schedule_);
+    }
+}
+
+void Simulation::add(const AddBalls& added) {
+    const std::size_t count = std::size_t{settings_.balls} + added.balls.size();
+    if (count > maximum_balls) {
+        throw InputError("no more balls can be added: there would be " + std::to_string(count) + ", at most " +
+                         std::to_string(maximum_balls) + " are possible");
+    }
+    if (added.balls.empty()) {
+        return;
+    }
+    BallState state = synchronised_state();
+    for (const BallSpec& spec : added.balls) {
+        add_ball(state, spec);
+    }
+    rebase_clock();
+    settings_.balls = static_cast<std::uint32_t>(count);
+    added_ += static_cast<std::uint32_t>(added.balls.size());
+    load_state(state);
+}
+
+void Simulation::apply(const Change& change) {
+    if (const auto* settings = std::get_if<Settings>(&change)) {
+        this->change(*settings);
+    } else {
+        add(std::get<AddBalls>(change));
     }
 }
 
@@ -158,18 +247,25 @@ BallState Simulation::raw_state() {
 }
 
 BallState Simulation::synchronised_state() {
-    BallState state = raw_state();
+    const BallState state = raw_state();
     if (velocity_lag_ == 0.0 || schedule_.dispatches.empty()) {
         return state;
     }
-    const auto kick = make_substep_params(settings_, half_extent_, schedule_.grid,
-                                          synchronising_motion(drag(), velocity_lag_), schedule_.ball_count);
+    const auto params =
+        make_substep_params(settings_, walls(), schedule_.grid, synchronising_motion(drag(), velocity_lag_),
+                            schedule_.ball_count, variety_);
+    const auto before = schedule_.in_place ? backend_->save() : nullptr;
     const Bytes status = backend_->read(Slot::status);
-    backend_->run(schedule_, kick, 0, schedule_.dispatches.size());  // lands in the next_ slots: not a substep
-    backend_->write(Slot::status, status);                           // so its counts do not count
-    state.velocities = read_slot<vec4>(*backend_, Slot::next_velocities);
-    state.velocity_lag = 0.0;
-    return state;
+    backend_->run(schedule_, params, 0, schedule_.dispatches.size());  // a kick without a drift: not a substep
+    BallState kicked = state;
+    kicked.velocities = read_slot<vec4>(*backend_, schedule_.in_place ? Slot::velocities : Slot::next_velocities);
+    kicked.velocity_lag = 0.0;
+    if (before != nullptr) {
+        backend_->restore(*before, schedule_);
+    } else {
+        backend_->write(Slot::status, status);  // what the kick counted does not count
+    }
+    return kicked;
 }
 
 }  // namespace ballpit

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <variant>
+#include <vector>
 
 #include "core/backend.h"
 #include "core/scene.h"
@@ -16,16 +18,27 @@ namespace ballpit {
 struct Checkpoint {
     std::shared_ptr<const SavedState> state;
     Settings settings;
-    dvec3 half_extent{0.0};
+    Box scene_box;
+    WallShift walls;
     double largest_radius = 0.0;
+    Variety variety;
     double velocity_lag = 0.0;
     std::vector<float> restitutions;
     std::uint32_t overlapping = 0;
+    std::uint32_t added = 0;
     std::uint64_t step_count = 0;
     std::uint32_t substep = 0;
     std::uint64_t substeps_since_base = 0;
     double time_base = 0.0;
 };
+
+/// Balls thrown in while the scene runs. SI units; their own restitution is not looked at.
+struct AddBalls {
+    std::vector<BallSpec> balls;
+};
+
+/// What a user does to a running scene. All of it goes this way, so that it can be remembered and done again.
+using Change = std::variant<Settings, AddBalls>;
 
 class Simulation {
 public:
@@ -52,6 +65,9 @@ public:
     void load(Scene scene, const Settings& settings, std::uint64_t seed);
     /// New settings while running. Balls that stay keep their motion; more balls come from the fill.
     void change(const Settings& wanted);
+    /// Throws InputError where there would be more than maximum_balls.
+    void add(const AddBalls& added);
+    void apply(const Change& change);
     /// Moves the balls to another backend.
     void use(std::unique_ptr<Backend> backend);
 
@@ -63,7 +79,18 @@ public:
     const Scene& scene() const { return scene_; }
     const Settings& settings() const { return settings_; }
     Features features() const { return schedule_.features; }
-    const dvec3& half_extent() const { return half_extent_; }
+    /// The box as it stands now.
+    Box box() const { return shifted(scene_box_, walls_); }
+    const Box& scene_box() const { return scene_box_; }
+    /// Half the size of the smallest box around the origin that holds it.
+    dvec3 half_extent() const { return box().half_extent(); }
+    const WallShift& wall_shift() const { return walls_; }
+    const Variety& variety() const { return variety_; }
+    double velocity_lag() const { return velocity_lag_; }
+    const std::vector<float>& restitutions() const { return restitutions_; }  // a ball each, or empty
+    std::uint32_t added() const { return added_; }                            // balls beyond those of the scene
+    /// Another number: another schedule.
+    std::uint64_t schedule_changes() const { return schedule_changes_; }
     std::uint64_t seed() const { return seed_; }
     std::uint64_t step_count() const { return step_count_; }    // whole steps since the start
     std::uint32_t substep_in_step() const { return substep_; }  // substeps of the current step that have run
@@ -74,23 +101,32 @@ public:
     const Backend& backend() const { return *backend_; }
 
 private:
-    void load_world(const World& world);
+    void load_world(World world);
     void load_state(const BallState& state);
-    Schedule wanted_schedule(std::uint32_t ball_count) const;
+    bool walls_move() const { return ballpit::walls_move(walls_, settings_, scene_box_, wall_room()); }
+    Features wanted_features(const Settings& settings) const;
+    void set_schedule(std::uint32_t ball_count);
+    Walls walls() const;
+    void advance_walls();
     void rebase_clock();
     double substep_dt() const { return settings_.dt / settings_.substeps; }
-    double drag() const { return scene_.laws.drag ? settings_.drag : 0.0; }
+    double drag() const { return settings_.laws.drag ? settings_.drag : 0.0; }
+    double wall_room() const { return 2.0 * largest_radius_; }
 
     Scene scene_;
     Settings settings_;
     std::uint64_t seed_ = 0;
     std::unique_ptr<Backend> backend_;
     Schedule schedule_;
-    dvec3 half_extent_{0.0};
+    std::uint64_t schedule_changes_ = 0;
+    Box scene_box_;
+    WallShift walls_;
     double largest_radius_ = 0.0;
+    Variety variety_;
     double velocity_lag_ = 0.0;
     std::vector<float> restitutions_;
     std::uint32_t overlapping_ = 0;
+    std::uint32_t added_ = 0;
     std::uint64_t step_count_ = 0;
     std::uint32_t substep_ = 0;
     std::uint64_t substeps_since_base_ = 0;

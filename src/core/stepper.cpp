@@ -34,28 +34,28 @@ Stepper::Stepper(Simulation& simulation, std::size_t checkpoint_budget)
 void Stepper::reset() {
     timeline_.clear();
     dispatch_ = 0;
-    schedule_.reset();
     divergence_.reset();
     ++epoch_;
     timeline_.add(moment(), simulation_.checkpoint());
     simulation_.backend().request_hash(tag_of(epoch_, moment().step));
 }
 
-void Stepper::change(const Settings& settings) {
-    if (settings == simulation_.settings()) {
+void Stepper::change(const Change& change) {
+    const auto* settings = std::get_if<Settings>(&change);
+    if (settings != nullptr && *settings == simulation_.settings()) {
         return;
     }
     go_to({moment(), 0});
-    simulation_.change(settings);  // may throw: then nothing is remembered
-    schedule_.reset();
+    simulation_.apply(change);  // may throw: then nothing is remembered
     ++epoch_;
-    timeline_.change(moment(), settings);
+    timeline_.change(moment(), change);
     timeline_.add(moment(), simulation_.checkpoint());
 }
 
 const Schedule& Stepper::schedule() {
-    if (!schedule_) {
+    if (!schedule_ || schedule_change_ != simulation_.schedule_changes()) {
         const Schedule& running = simulation_.schedule();
+        schedule_change_ = simulation_.schedule_changes();
         schedule_ = make_schedule(running.ball_count, running.grid, running.features, SortMethod::bitonic);
     }
     return *schedule_;
@@ -93,9 +93,8 @@ void Stepper::arrive(std::uint64_t step_before, std::uint32_t substep_before) {
         timeline_.record_substeps(step_before, substep_before + 1);
         simulation_.backend().request_hash(tag_of(epoch_, now.step));
     }
-    for (const Settings& settings : timeline_.changes_at(now)) {
-        simulation_.change(settings);
-        schedule_.reset();
+    for (const Change& change : timeline_.changes_at(now)) {
+        simulation_.apply(change);
     }
     if (now.substep == 0) {
         remember();
@@ -124,7 +123,6 @@ void Stepper::remember() {
 void Stepper::restore(const Moment& moment) {
     simulation_.restore(timeline_.at_or_before(moment).second);
     dispatch_ = 0;
-    schedule_.reset();
 }
 
 void Stepper::run_to(const Moment& target) {

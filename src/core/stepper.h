@@ -39,8 +39,8 @@ public:
 
     /// After another scene, seed or backend: the timeline starts anew, here.
     void reset();
-    /// Simulation::change, remembered. Within a substep, the substep starts again with the new settings.
-    void change(const Settings& settings);
+    /// Simulation::apply, remembered. Within a substep, the substep starts again after the change.
+    void change(const Change& change);
 
     Position position() const { return {moment(), dispatch_}; }
     /// The substep as it is stepped through: sorted pass by pass, whatever the sort is that runs.
@@ -86,8 +86,9 @@ private:
     Timeline timeline_;
     std::uint32_t dispatch_ = 0;
     Runner runner_;
-    std::optional<Schedule> schedule_;  // of this moment, made when it is asked for
-    std::uint64_t epoch_ = 0;           // tells hashes of a timeline that was left from those of this one
+    std::optional<Schedule> schedule_;   // of this moment, made when it is asked for
+    std::uint64_t schedule_change_ = 0;  // of the simulation, for which it was made
+    std::uint64_t epoch_ = 0;            // tells hashes of a timeline that was left from those of this one
     std::optional<Divergence> divergence_;
 };
 

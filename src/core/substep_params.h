@@ -1,6 +1,13 @@
-// Constants of one substep, in double, and their two narrower forms: the mirror's and the shader's.
+// Constants of one substep, in double, and rounded to single for the mirror and the shaders. Shaders ask for them by
+// the names of the members.
 #pragma once
 
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "core/box.h"
+#include "core/features.h"
 #include "core/grid.h"
 #include "core/integrator.h"
 #include "core/layout.h"
@@ -9,49 +16,81 @@
 
 namespace ballpit {
 
-/// Same members as layout::SubstepParams, which says what each means.
+/// A kick turns v into decay * v + gain * a.
 template <class Real>
 struct SubstepParams {
-    Vec3<Real> gravity{0};
-    Real drift{0};
-    Vec3<Real> half_extent{0};
-    Real inverse_cell_width{1};
-    Vec3<Real> grid_origin{0};
-    Real stiffness{0};
-    uvec3 grid_cells{1};
     std::uint32_t ball_count = 0;
-    Real decay{1};
-    Real gain{0};
-    Real second_decay{1};
+    Real drift{0};  // s: x moves by drift * v
+    Real gain{0};   // s: duration of the kick, shortened by drag
     Real second_gain{0};
-    Real damping_ratio{0};
+    Real decay{1};  // exp(-drag * duration)
+    Real second_decay{1};
+    Vec3<Real> gravity{0};  // m/s^2
+    Real stiffness{0};      // N/m
+    Real radius{0};         // m, where all balls have the same
+    Real mass{1};           // kg, where all balls have the same
+    Real damping_ratio{0};  // dashpot zeta of balls without a restitution of their own
+    Vec3<Real> box_lower{0};
+    Vec3<Real> box_upper{0};
+    Vec3<Real> lower_velocity{0};  // m/s, of the lower walls
+    Vec3<Real> upper_velocity{0};
+    Vec3<Real> pull_target{0};
+    std::uint32_t pull_ball = 0;
+    Real pull_rate{0};          // 1/s
+    Vec3<Real> grid_origin{0};  // m: lower corner of cell 0
+    Real inverse_cell_width{1};
+    uvec3 grid_cells{1};  // along x, y, z
     std::uint32_t key_count = 0;
     std::uint32_t cell_count = 1;
+
+    friend bool operator==(const SubstepParams&, const SubstepParams&) = default;
 };
 
-SubstepParams<double> make_substep_params(const Settings& settings, const dvec3& half_extent, const Grid& grid,
-                                          const SubstepMotion& motion, std::uint32_t ball_count);
+SubstepParams<double> make_substep_params(const Settings& settings, const Walls& walls, const Grid& grid,
+                                          const SubstepMotion& motion, std::uint32_t ball_count,
+                                          const Variety& variety = {});
 
 /// Rounds each member once, so that mirror and GPU start from the same numbers.
 template <class Real>
 SubstepParams<Real> narrowed(const SubstepParams<double>& p) {
-    return {Vec3<Real>(p.gravity),
-            static_cast<Real>(p.drift),
-            Vec3<Real>(p.half_extent),
-            static_cast<Real>(p.inverse_cell_width),
-            Vec3<Real>(p.grid_origin),
-            static_cast<Real>(p.stiffness),
-            p.grid_cells,
-            p.ball_count,
-            static_cast<Real>(p.decay),
-            static_cast<Real>(p.gain),
-            static_cast<Real>(p.second_decay),
-            static_cast<Real>(p.second_gain),
-            static_cast<Real>(p.damping_ratio),
-            p.key_count,
-            p.cell_count};
+    const auto real = [](double value) { return static_cast<Real>(value); };
+    SubstepParams<Real> n;
+    n.ball_count = p.ball_count;
+    n.drift = real(p.drift);
+    n.gain = real(p.gain);
+    n.second_gain = real(p.second_gain);
+    n.decay = real(p.decay);
+    n.second_decay = real(p.second_decay);
+    n.gravity = Vec3<Real>(p.gravity);
+    n.stiffness = real(p.stiffness);
+    n.radius = real(p.radius);
+    n.mass = real(p.mass);
+    n.damping_ratio = real(p.damping_ratio);
+    n.box_lower = Vec3<Real>(p.box_lower);
+    n.box_upper = Vec3<Real>(p.box_upper);
+    n.lower_velocity = Vec3<Real>(p.lower_velocity);
+    n.upper_velocity = Vec3<Real>(p.upper_velocity);
+    n.pull_target = Vec3<Real>(p.pull_target);
+    n.pull_ball = p.pull_ball;
+    n.pull_rate = real(p.pull_rate);
+    n.grid_origin = Vec3<Real>(p.grid_origin);
+    n.inverse_cell_width = real(p.inverse_cell_width);
+    n.grid_cells = p.grid_cells;
+    n.key_count = p.key_count;
+    n.cell_count = p.cell_count;
+    return n;
 }
 
-layout::SubstepParams shader_params(const SubstepParams<double>& params);
+using ShaderParams = SubstepParams<float>;
+using ShaderParam =
+    std::variant<float ShaderParams::*, std::uint32_t ShaderParams::*, vec3 ShaderParams::*, uvec3 ShaderParams::*>;
+
+struct ShaderParamInfo {
+    std::string_view name;  // of the member of a shader's block `params`
+    ShaderParam member;
+};
+
+/// Every constant that a shader may ask for.
+std::span<const ShaderParamInfo> shader_param_table();
 
 }  // namespace ballpit

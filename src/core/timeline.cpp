@@ -13,11 +13,19 @@ constexpr std::ptrdiff_t newest_kept = 3;
 
 std::size_t cost(const Checkpoint& checkpoint) { return checkpoint.state->bytes() + checkpoint_overhead; }
 
+bool same_ball_pulled(const Settings& a, const Settings& b) {
+    return a.pull && b.pull ? a.pull->ball == b.pull->ball : !a.pull && !b.pull;
+}
+
 // Whether a change to `b` at the moment of a change to `a` leaves nothing of `a`: no balls came or went, and the state
 // was not touched.
-bool replaces(const Settings& a, const Settings& b) {
-    return a.balls == b.balls && a.integrator == b.integrator && a.neighbours == b.neighbours &&
-           a.limit_force == b.limit_force && a.restitution == b.restitution;
+bool replaces(const Change& before, const Change& after) {
+    const auto* a = std::get_if<Settings>(&before);
+    const auto* b = std::get_if<Settings>(&after);
+    return a != nullptr && b != nullptr && a->balls == b->balls && a->laws == b->laws &&
+           a->integrator == b->integrator && a->neighbours == b->neighbours && a->limit_force == b->limit_force &&
+           a->restitution == b->restitution && same_ball_pulled(*a, *b) && a->shake_amplitude == b->shake_amplitude &&
+           a->walls_low == b->walls_low && a->walls_high == b->walls_high;
 }
 
 }  // namespace
@@ -68,16 +76,16 @@ const std::pair<const Moment, Checkpoint>& Timeline::at_or_before(const Moment& 
     return *std::prev(after);
 }
 
-void Timeline::change(const Moment& moment, const Settings& settings) {
+void Timeline::change(const Moment& moment, const Change& change) {
     for (auto it = checkpoints_.lower_bound(moment); it != checkpoints_.end(); it = checkpoints_.erase(it)) {
         used_ -= cost(it->second);
     }
     changes_.erase(changes_.upper_bound(moment), changes_.end());
-    std::vector<Settings>& here = changes_[moment];
-    if (!here.empty() && replaces(here.back(), settings)) {
-        here.back() = settings;  // a slider that is dragged while paused leaves its last value only
+    std::vector<Change>& here = changes_[moment];
+    if (!here.empty() && replaces(here.back(), change)) {
+        here.back() = change;  // a slider that is dragged while paused leaves its last value only
     } else {
-        here.push_back(settings);
+        here.push_back(change);
     }
     // On arriving at this step the state was what it was; only what comes after it is open again.
     if (steps_.size() > moment.step + 1) {
@@ -85,9 +93,9 @@ void Timeline::change(const Moment& moment, const Settings& settings) {
     }
 }
 
-std::span<const Settings> Timeline::changes_at(const Moment& moment) const {
+std::span<const Change> Timeline::changes_at(const Moment& moment) const {
     const auto found = changes_.find(moment);
-    return found == changes_.end() ? std::span<const Settings>() : std::span(found->second);
+    return found == changes_.end() ? std::span<const Change>() : std::span(found->second);
 }
 
 Timeline::StepRecord& Timeline::record(std::uint64_t step) {

@@ -1,4 +1,4 @@
-// What is remembered of a run: checkpoints, changes of settings, and a hash a step. Plain bookkeeping; the Stepper
+// What is remembered of a run: checkpoints, changes, and a hash a step. Plain bookkeeping; the Stepper
 // does the running.
 #pragma once
 
@@ -45,11 +45,13 @@ public:
     /// The newest checkpoint at or before the moment. There is one once the start was added.
     const std::pair<const Moment, Checkpoint>& at_or_before(const Moment& moment) const;
 
-    /// A change of settings takes hold at a moment, after those that did so before. The checkpoint of that moment and
+    /// A change takes hold at a moment, after those that did so before. The checkpoint of that moment and
     /// whatever was remembered of later ones no longer holds and is forgotten.
-    void change(const Moment& moment, const Settings& settings);
+    void change(const Moment& moment, const Change& change);
     /// The changes that took hold exactly then, in order.
-    std::span<const Settings> changes_at(const Moment& moment) const;
+    std::span<const Change> changes_at(const Moment& moment) const;
+    /// Every change up to here and beyond, by moment.
+    const std::map<Moment, std::vector<Change>>& changes() const { return changes_; }
 
     /// How many substeps a step had that is over; 0 if that is not remembered.
     void record_substeps(std::uint64_t step, std::uint32_t substeps);
@@ -71,7 +73,7 @@ private:
     std::size_t budget_;
     std::size_t used_ = 0;
     std::map<Moment, Checkpoint> checkpoints_;
-    std::map<Moment, std::vector<Settings>> changes_;
+    std::map<Moment, std::vector<Change>> changes_;
     std::vector<StepRecord> steps_;
 };
 

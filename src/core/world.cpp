@@ -90,11 +90,6 @@ dvec3 random_direction(std::uint64_t seed, std::uint64_t ball) {
     return {ring * std::cos(angle), ring * std::sin(angle), z};
 }
 
-void add_ball(BallState& balls, const BallSpec& spec) {
-    balls.positions.emplace_back(vec3(spec.position), static_cast<float>(spec.radius));
-    balls.velocities.emplace_back(vec3(spec.velocity), static_cast<float>(spec.mass));
-}
-
 BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, const PlacedBalls& placed,
                    const BallState& balls, std::uint64_t seed, std::uint32_t& overlapping) {
     const std::uint64_t ball = balls.count();
@@ -123,13 +118,33 @@ BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, con
 
 }  // namespace
 
-std::vector<float> ball_restitutions(const Scene& scene, double scene_restitution, std::uint32_t count) {
-    if (std::ranges::none_of(scene.balls, [](const BallSpec& b) { return b.restitution.has_value(); })) {
+void add_ball(BallState& balls, const BallSpec& spec) {
+    balls.positions.emplace_back(vec3(spec.position), static_cast<float>(spec.radius));
+    balls.velocities.emplace_back(vec3(spec.velocity), static_cast<float>(spec.mass));
+}
+
+Variety variety_of(const BallState& balls) {
+    Variety variety;
+    variety.restitutions = !balls.restitutions.empty();
+    if (balls.count() == 0) {
+        return variety;
+    }
+    variety.radius = balls.positions[0].w;
+    variety.mass = balls.velocities[0].w;
+    variety.radii = std::ranges::any_of(balls.positions, [&](const vec4& p) { return p.w != variety.radius; });
+    variety.masses = std::ranges::any_of(balls.velocities, [&](const vec4& v) { return v.w != variety.mass; });
+    return variety;
+}
+
+std::vector<float> ball_restitutions(const Scene& scene, const Settings& settings, std::uint32_t count) {
+    const bool own = std::ranges::any_of(scene.balls, [](const BallSpec& b) { return b.restitution.has_value(); });
+    if (!own && !settings.laws.ball_restitution) {
         return {};
     }
-    std::vector<float> restitutions(count, static_cast<float>(scene_restitution));
+    const double others = settings.laws.restitution ? settings.restitution : 1.0;
+    std::vector<float> restitutions(count, static_cast<float>(others));
     for (std::size_t i = 0; i < std::min<std::size_t>(count, scene.balls.size()); ++i) {
-        restitutions[i] = static_cast<float>(scene.balls[i].restitution.value_or(scene_restitution));
+        restitutions[i] = static_cast<float>(scene.balls[i].restitution.value_or(others));
     }
     return restitutions;
 }
@@ -143,8 +158,8 @@ World make_world(const Scene& scene, std::uint32_t count, std::uint64_t seed) {
     const double wide = widening(scene, count);
     const dvec3 scale{wide, wide, 1.0};
     World world;
-    world.half_extent = scene.half_extent * scale;
-    world.balls.restitutions = ball_restitutions(scene, scene.settings.restitution, count);
+    world.box = Box(scene.half_extent * scale);
+    world.balls.restitutions = ball_restitutions(scene, scene.settings, count);
     world.balls.positions.reserve(count);
     world.balls.velocities.reserve(count);
     for (std::uint32_t i = 0; i < std::min(count, listed); ++i) {

@@ -2,18 +2,26 @@
 #pragma once
 
 #include "core/ball_state.h"
+#include "core/features.h"
 #include "core/scene.h"
 
 namespace ballpit {
 
 struct World {
     BallState balls;
-    dvec3 half_extent{0.0};
+    Box box;
     std::uint32_t overlapping = 0;  // balls of the fill that found no free place
 };
 
-/// The restitution of each ball: its own, else the scene's as it is set now. Empty where no ball has its own.
-std::vector<float> ball_restitutions(const Scene& scene, double scene_restitution, std::uint32_t count);
+/// The restitution of each ball: its own, else the scene's as it is set now. Empty where no ball has its own and the
+/// law is not asked for.
+std::vector<float> ball_restitutions(const Scene& scene, const Settings& settings, std::uint32_t count);
+
+/// In what these balls differ.
+Variety variety_of(const BallState& balls);
+
+/// Appends a ball; values are rounded to single. Restitutions are those of ball_restitutions.
+void add_ball(BallState& balls, const BallSpec& spec);
 
 /// The first `scene.settings.balls`-like count of balls: those listed first, then the fill, which goes on as
 /// long as `count` asks for more (the fill's own count is only the default). Ball i is the same for every

@@ -27,7 +27,7 @@ void assign_cells(const SubstepParams<Real>& params, std::span<const Vec4<Real>>
         const Vec3<Real> centre(positions[ball]);
         const uvec3 cell = cell_coordinates(params, centre);
         keys[ball] = {(cell.z * params.grid_cells.y + cell.y) * params.grid_cells.x + cell.x, ball};
-        if (glm::any(glm::greaterThan(glm::abs(centre), params.half_extent))) {
+        if (glm::any(glm::lessThan(centre, params.box_lower)) || glm::any(glm::greaterThan(centre, params.box_upper))) {
             status.bits |= STATUS_OUT_OF_BOUNDS;
             ++status.out_of_bounds;
         }

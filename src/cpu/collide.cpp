@@ -40,68 +40,96 @@ struct Collider {
     const Features features;
     const CollideInput<Real>& in;
 
+    Real radius_of(const Vec4<Real>& position) const {
+        return features.has(Feature::unequal_radii) ? position.w : params.radius;
+    }
+    Real mass_of(const Vec4<Real>& velocity) const {
+        return features.has(Feature::unequal_masses) ? velocity.w : params.mass;
+    }
+    Real damping_ratio_of(std::uint32_t id) const {
+        return features.has(Feature::ball_restitution) ? in.damping_ratios[id] : params.damping_ratio;
+    }
+
     Ball<Real> ball(std::uint32_t id) const {
         const Vec4<Real>& p = in.positions[id];
         const Vec4<Real>& v = in.velocities[id];
-        const bool own = features.has(Feature::ball_restitution);
-        return {id, Vec3<Real>(p), p.w, Vec3<Real>(v), v.w, own ? in.damping_ratios[id] : params.damping_ratio};
+        return {id, Vec3<Real>(p), radius_of(p), Vec3<Real>(v), mass_of(v), damping_ratio_of(id)};
     }
 
     // Force (N) along the contact normal: F = k * overlap - c * separation_speed.
-    Real contact_force(Real overlap, Real separation_speed, Real reduced_mass, Real damping_ratio) const {
-        Real force = params.stiffness * overlap;
-        if (features.has(Feature::dashpot)) {
-            const Real c = Real(2) * damping_ratio * std::sqrt(params.stiffness * reduced_mass);
-            force = force - c * separation_speed;
-        }
-        if (features.has(Feature::limit_force)) {
-            force = std::max(force, Real(0));
-        }
-        return force;
+    Real damped_force(Real overlap, Real separation_speed, Real reduced_mass, Real damping_ratio) const {
+        const Real c = Real(2) * damping_ratio * std::sqrt(params.stiffness * reduced_mass);
+        const Real force = params.stiffness * overlap - c * separation_speed;
+        return features.has(Feature::limit_force) ? std::max(force, Real(0)) : force;
     }
 
-    void add_pair(const Ball<Real>& a, const Ball<Real>& b, Vec3<Real>& force) const {
-        const Vec3<Real> offset = a.position - b.position;
-        const Real reach = a.radius + b.radius;
+    // Of the other ball only the position is read, until it is known to touch; without a dashpot, nothing else at all.
+    Real pair_force(const Ball<Real>& a, std::uint32_t other, const Vec3<Real>& normal, Real overlap) const {
+        if (!features.has(Feature::dashpot)) {
+            return params.stiffness * overlap;
+        }
+        const Vec4<Real>& velocity = in.velocities[other];
+        const Real mass = mass_of(velocity);
+        const Real reduced_mass = a.mass * mass / (a.mass + mass);
+        const Real speed = dot(a.velocity - Vec3<Real>(velocity), normal);
+        return damped_force(overlap, speed, reduced_mass, std::max(a.damping_ratio, damping_ratio_of(other)));
+    }
+
+    void add_pair(const Ball<Real>& a, std::uint32_t other, Vec3<Real>& force) const {
+        const Vec4<Real>& position = in.positions[other];
+        const Vec3<Real> offset = a.position - Vec3<Real>(position);
+        const Real reach = a.radius + radius_of(position);
         const Real distance_squared = dot(offset, offset);
         if (!(distance_squared < reach * reach)) {
             return;
         }
         const Real distance = std::sqrt(distance_squared);
-        const Vec3<Real> normal = distance_squared > 0 ? offset / distance : coincident_direction<Real>(a.id, b.id);
-        const Real reduced_mass = a.mass * b.mass / (a.mass + b.mass);
-        const Real speed = dot(a.velocity - b.velocity, normal);
-        force +=
-            contact_force(reach - distance, speed, reduced_mass, std::max(a.damping_ratio, b.damping_ratio)) * normal;
+        const Vec3<Real> normal = distance_squared > 0 ? offset / distance : coincident_direction<Real>(a.id, other);
+        force += pair_force(a, other, normal, reach - distance) * normal;
     }
 
     void add_neighbours(const Ball<Real>& a, Vec3<Real>& force) const;
 
+    // `speed`: of the ball away from the wall.
+    Real wall_force(const Ball<Real>& ball, Real overlap, Real speed) const {
+        if (!(overlap > 0)) {
+            return 0;
+        }
+        return features.has(Feature::dashpot) ? damped_force(overlap, speed, ball.mass, ball.damping_ratio)
+                                              : params.stiffness * overlap;
+    }
+
     // Walls are half-spaces: the deeper the ball, the stronger the push, on both sides of the box.
     void add_walls(const Ball<Real>& ball, Vec3<Real>& force) const {
+        const bool moving = features.has(Feature::moving_walls);
+        const Vec3<Real> from_low = moving ? ball.velocity - params.lower_velocity : ball.velocity;
+        const Vec3<Real> from_high = moving ? ball.velocity - params.upper_velocity : ball.velocity;
         for (int axis = 0; axis < 3; ++axis) {
-            const Real low = ball.radius - (ball.position[axis] + params.half_extent[axis]);
-            const Real high = ball.radius - (params.half_extent[axis] - ball.position[axis]);
-            if (low > 0) {
-                force[axis] += contact_force(low, ball.velocity[axis], ball.mass, ball.damping_ratio);
-            }
-            if (high > 0) {
-                force[axis] -= contact_force(high, -ball.velocity[axis], ball.mass, ball.damping_ratio);
-            }
+            const Real low = ball.radius - (ball.position[axis] - params.box_lower[axis]);
+            const Real high = ball.radius - (params.box_upper[axis] - ball.position[axis]);
+            force[axis] += wall_force(ball, low, from_low[axis]);
+            force[axis] -= wall_force(ball, high, -from_high[axis]);
         }
     }
 
     Vec3<Real> acceleration(const Ball<Real>& ball) const {
-        Vec3<Real> force(0);
-        if (features.has(Feature::contact)) {
-            add_neighbours(ball, force);
+        Vec3<Real> a(0);
+        if (features.has(Feature::contact) || features.has(Feature::walls)) {
+            Vec3<Real> force(0);
+            if (features.has(Feature::contact)) {
+                add_neighbours(ball, force);
+            }
+            if (features.has(Feature::walls)) {
+                add_walls(ball, force);
+            }
+            a = force / ball.mass;
         }
-        if (features.has(Feature::walls)) {
-            add_walls(ball, force);
-        }
-        Vec3<Real> a = force / ball.mass;
         if (features.has(Feature::gravity)) {
             a = a + params.gravity;
+        }
+        if (features.has(Feature::pull) && ball.id == params.pull_ball) {
+            a = a + (params.pull_rate * params.pull_rate) * (params.pull_target - ball.position);
+            a = a - (Real(2) * params.pull_rate) * ball.velocity;
         }
         return a;
     }
@@ -116,7 +144,7 @@ void Collider<Real>::add_neighbours(const Ball<Real>& a, Vec3<Real>& force) cons
     if (features.has(Feature::brute_force)) {
         for (std::uint32_t id = 0; id < params.ball_count; ++id) {
             if (id != a.id) {
-                add_pair(a, ball(id), force);
+                add_pair(a, id, force);
             }
         }
         return;
@@ -131,7 +159,7 @@ void Collider<Real>::add_neighbours(const Ball<Real>& a, Vec3<Real>& force) cons
                 for (std::uint32_t slot = range.first; slot < range.end; ++slot) {
                     const std::uint32_t id = in.keys[slot].ball_id;
                     if (id != a.id) {
-                        add_pair(a, ball(id), force);
+                        add_pair(a, id, force);
                     }
                 }
             }
@@ -165,12 +193,12 @@ void collide(const SubstepParams<Real>& params, Features features, const Collide
         } else {
             x = x + params.drift * v;
         }
-        if (!is_finite(x) || !is_finite(v)) {
+        if (features.has(Feature::diagnostics) && (!is_finite(x) || !is_finite(v))) {
             status.bits |= STATUS_NOT_FINITE;
             ++status.not_finite;
         }
-        next_positions[id] = Vec4<Real>(x, ball.radius);
-        next_velocities[id] = Vec4<Real>(v, ball.mass);
+        next_positions[id] = Vec4<Real>(x, in.positions[id].w);
+        next_velocities[id] = Vec4<Real>(v, in.velocities[id].w);
     }
 }
 

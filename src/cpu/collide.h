@@ -19,7 +19,8 @@ struct CollideInput {
     std::span<const CellRange> cell_ranges;  // cell_count
 };
 
-/// Writes the next state of each ball; counts those that are not finite. Neighbours are met in the order of
+/// Writes the next state of each ball, which may be over the state that is read where the contact law is absent;
+/// counts those that are not finite, with diagnostics. Neighbours are met in the order of
 /// cells and slots, so the sums, and with them the bits of the result, do not depend on who runs when.
 template <class Real>
 void collide(const SubstepParams<Real>& params, Features features, const CollideInput<Real>& in,

@@ -85,8 +85,6 @@ template <class Real>
 void CpuBackend<Real>::load(const BallState& state, const Schedule& schedule, bool limit_force) {
     positions_.assign(state.positions.begin(), state.positions.end());
     velocities_.assign(state.velocities.begin(), state.velocities.end());
-    next_positions_ = positions_;
-    next_velocities_ = velocities_;
     damping_ratios_.clear();
     for (const float e : state.restitutions) {
         // Rounded to float for the reference too: it answers the same question as the mirror.
@@ -94,21 +92,33 @@ void CpuBackend<Real>::load(const BallState& state, const Schedule& schedule, bo
         damping_ratios_.push_back(static_cast<Real>(zeta));
     }
     status_ = {};
+    make_next(schedule);
     reschedule(schedule);
+}
+
+// The other state buffer, filled as if nothing had moved; none where balls are computed in place.
+template <class Real>
+void CpuBackend<Real>::make_next(const Schedule& schedule) {
+    next_positions_ = schedule.in_place ? std::vector<Vec4<Real>>() : positions_;
+    next_velocities_ = schedule.in_place ? std::vector<Vec4<Real>>() : velocities_;
 }
 
 template <class Real>
 void CpuBackend<Real>::reschedule(const Schedule& schedule) {
     requested_ = {};
+    assert(schedule.in_place == next_positions_.empty() || schedule.ball_count == 0);
     keys_.assign(schedule.key_count, Key{SENTINEL, SENTINEL});
     cell_ranges_.assign(schedule.cell_count, CellRange{0, 0});
 }
 
 template <class Real>
 void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params) {
+    const Features features = dispatch.program.features;
+    Status unwanted{};
+    Status& status = features.has(Feature::diagnostics) ? status_ : unwanted;
     switch (dispatch.program.shader) {
         case Shader::assign_cells:
-            return assign_cells<Real>(params, positions_, keys_, status_);
+            return assign_cells<Real>(params, positions_, keys_, status);
         case Shader::bitonic_sort:
             return bitonic_sort(keys_, dispatch.constants[0], dispatch.constants[1]);
         case Shader::bitonic_sort_fused:
@@ -116,11 +126,13 @@ void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParam
         case Shader::clear_cells:
             return clear_cells(cell_ranges_);
         case Shader::build_grid:
-            return build_grid(std::span(keys_).first(params.ball_count), cell_ranges_, status_);
-        case Shader::collide:
-            return collide<Real>(params, dispatch.program.features,
-                                 {positions_, velocities_, damping_ratios_, keys_, cell_ranges_}, next_positions_,
-                                 next_velocities_, status_);
+            return build_grid(std::span(keys_).first(params.ball_count), cell_ranges_, status);
+        case Shader::collide: {
+            const bool in_place = !features.has(Feature::contact);
+            return collide<Real>(params, features, {positions_, velocities_, damping_ratios_, keys_, cell_ranges_},
+                                 in_place ? positions_ : next_positions_, in_place ? velocities_ : next_velocities_,
+                                 status);
+        }
     }
 }
 
@@ -161,10 +173,9 @@ void CpuBackend<Real>::restore(const SavedState& state, const Schedule& schedule
     const auto& saved = dynamic_cast<const CpuState<Real>&>(state);
     positions_ = saved.positions;
     velocities_ = saved.velocities;
-    next_positions_ = positions_;
-    next_velocities_ = velocities_;
     damping_ratios_ = saved.damping_ratios;
     status_ = saved.status;
+    make_next(schedule);
     reschedule(schedule);
 }
 

@@ -40,6 +40,7 @@ public:
     std::span<const CellRange> cell_ranges() const { return cell_ranges_; }
 
 private:
+    void make_next(const Schedule& schedule);
     void run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params);
 
     std::vector<Vec4<Real>> positions_;

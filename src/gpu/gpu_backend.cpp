@@ -1,7 +1,6 @@
 #include "gpu/gpu_backend.h"
 
 #include <cassert>
-#include <cstring>
 #include <utility>
 
 #include "core/contact.h"
@@ -49,7 +48,6 @@ GpuBackend::GpuBackend(std::filesystem::path shader_folder)
     if (GLAD_GL_VERSION_4_3 == 0) {
         throw gl::Error("the GPU backend needs OpenGL 4.3, this context has " + gl_text(GL_VERSION));
     }
-    params_buffer_ = gl::Buffer("params", sizeof(layout::SubstepParams), GL_DYNAMIC_DRAW);
 }
 
 std::string GpuBackend::device() const { return gl_text(GL_RENDERER); }
@@ -81,7 +79,9 @@ void GpuBackend::reserve(Slot slot, std::size_t bytes) {
         throw DeviceError("buffer '" + std::string(slot_name(slot)) + "' would need " + std::to_string(bytes >> 20) +
                           " MiB, the device allows " + std::to_string(limit >> 20) + " MiB a buffer");
     }
-    if (buffer(slot).size() < bytes) {
+    if (bytes == 0) {
+        buffer(slot) = {};  // what a scene does not need is not kept
+    } else if (buffer(slot).size() < bytes) {
         try {
             buffer(slot) = gl::Buffer(slot_name(slot), bytes);
         } catch (const gl::Error& error) {
@@ -93,9 +93,10 @@ void GpuBackend::reserve(Slot slot, std::size_t bytes) {
 
 void GpuBackend::load(const BallState& state, const Schedule& schedule, bool limit_force) {
     const std::size_t state_bytes = state.positions.size() * sizeof(vec4);
-    for (const Slot slot : {Slot::positions, Slot::velocities, Slot::next_positions, Slot::next_velocities}) {
-        reserve(slot, state_bytes);
-    }
+    reserve(Slot::positions, state_bytes);
+    reserve(Slot::velocities, state_bytes);
+    reserve(Slot::next_positions, schedule.in_place ? 0 : state_bytes);
+    reserve(Slot::next_velocities, schedule.in_place ? 0 : state_bytes);
     const std::vector<float> ratios = damping_ratios_of(state, limit_force);
     reserve(Slot::damping_ratios, ratios.size() * sizeof(float));
     reserve(Slot::status, sizeof(Status));
@@ -103,8 +104,10 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     const Status clean{};
     write(Slot::positions, std::as_bytes(std::span(state.positions)));
     write(Slot::velocities, std::as_bytes(std::span(state.velocities)));
-    write(Slot::next_positions, std::as_bytes(std::span(state.positions)));
-    write(Slot::next_velocities, std::as_bytes(std::span(state.velocities)));
+    if (!schedule.in_place) {
+        write(Slot::next_positions, std::as_bytes(std::span(state.positions)));
+        write(Slot::next_velocities, std::as_bytes(std::span(state.velocities)));
+    }
     write(Slot::damping_ratios, std::as_bytes(std::span(ratios)));
     write(Slot::status, std::as_bytes(std::span(&clean, 1)));
 }
@@ -131,17 +134,11 @@ void GpuBackend::barrier(GLbitfield bits) {
 
 void GpuBackend::use(Slot slot, Use use) { barrier(barriers_.before_use(physical(slot), use)); }
 
-void GpuBackend::upload(const layout::SubstepParams& params) {
-    if (!uploaded_ || std::memcmp(&*uploaded_, &params, sizeof(params)) != 0) {
-        params_buffer_.write(std::as_bytes(std::span(&params, 1)));
-        uploaded_ = params;
-    }
-}
-
-void GpuBackend::run_dispatch(const Dispatch& dispatch) {
+void GpuBackend::run_dispatch(const Dispatch& dispatch, const ShaderParams& params) {
     const gl::DebugGroup group(dispatch.name);
-    const Programs::Compiled& compiled = programs_.get(dispatch.program);
+    Programs::Compiled& compiled = programs_.get(dispatch.program);
     compiled.program.use();
+    compiled.params.bind(params);
     if (compiled.dispatch_constants >= 0) {
         glUniform4uiv(compiled.dispatch_constants, 1, dispatch.constants.data());
     }
@@ -169,14 +166,13 @@ void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& para
     if (first == last) {
         return;
     }
-    upload(shader_params(params));
-    params_buffer_.bind_base(GL_UNIFORM_BUFFER, BLOCK_PARAMS);
+    const auto shader_params = narrowed<float>(params);
     const bool timed = timing_ && first == 0 && last == schedule.dispatches.size();
     if (timed) {
         timer_.begin();
     }
     for (std::size_t i = first; i < last; ++i) {
-        run_dispatch(schedule.dispatches[i]);
+        run_dispatch(schedule.dispatches[i], shader_params);
         const Stage stage = schedule.dispatches[i].stage;
         if (timed && (i + 1 == last || schedule.dispatches[i + 1].stage != stage)) {
             timer_.mark(static_cast<int>(stage));
@@ -216,8 +212,9 @@ void GpuBackend::restore(const SavedState& state, const Schedule& schedule) {
     for (std::size_t i = 0; i < saved_slots.size(); ++i) {
         fill(saved_slots[i], saved.buffers[i]);
     }
-    fill(Slot::next_positions, saved.buffers[0]);  // as load() leaves them
-    fill(Slot::next_velocities, saved.buffers[1]);
+    const gl::Buffer none;
+    fill(Slot::next_positions, schedule.in_place ? none : saved.buffers[0]);  // as load() leaves them
+    fill(Slot::next_velocities, schedule.in_place ? none : saved.buffers[1]);
     reschedule(schedule);
 }
 
@@ -274,7 +271,7 @@ const gl::Buffer& GpuBackend::buffer_for_drawing(Slot slot) {
 }
 
 std::size_t GpuBackend::allocated_bytes() const {
-    std::size_t bytes = params_buffer_.size();
+    std::size_t bytes = 0;
     for (const gl::Buffer& each : buffers_) {
         bytes += each.size();
     }

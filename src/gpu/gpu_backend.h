@@ -52,14 +52,11 @@ private:
     void reserve(Slot slot, std::size_t bytes);
     void barrier(GLbitfield bits);
     void use(Slot slot, Use use);
-    void upload(const layout::SubstepParams& params);
-    void run_dispatch(const Dispatch& dispatch);
+    void run_dispatch(const Dispatch& dispatch, const ShaderParams& params);
 
     Programs programs_;
     std::array<gl::Buffer, slot_count> buffers_;
     std::array<std::size_t, slot_count> used_bytes_{};
-    gl::Buffer params_buffer_;
-    std::optional<layout::SubstepParams> uploaded_;
     Barriers<slot_count> barriers_;
     bool swapped_ = false;
     std::array<gl::Readback, slot_count> readbacks_;

@@ -15,7 +15,7 @@ std::vector<std::string_view> defines_of(Features features) {
     return defines;
 }
 
-const Programs::Compiled& Programs::get(const Program& program) {
+Programs::Compiled& Programs::get(const Program& program) {
     const auto found = compiled_.find(program);
     if (found != compiled_.end()) {
         return found->second;
@@ -23,7 +23,9 @@ const Programs::Compiled& Programs::get(const Program& program) {
     const std::string file = std::string(shader_name(program.shader)) + ".comp";
     const std::array stages = {
         gl::ShaderStage{GL_COMPUTE_SHADER, gl::load_shader(folder_, file, defines_of(program.features))}};
-    Compiled compiled{gl::Program(stages)};
+    Compiled compiled;
+    compiled.program = gl::Program(stages);
+    compiled.params = ParamsBlock(compiled.program);
     compiled.dispatch_constants = compiled.program.uniform("dispatch_constants");
     return compiled_.emplace(program, std::move(compiled)).first->second;
 }

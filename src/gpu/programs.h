@@ -7,6 +7,7 @@
 
 #include "core/schedule.h"
 #include "gl/program.h"
+#include "gpu/params_block.h"
 
 namespace ballpit::gpu {
 
@@ -16,11 +17,12 @@ public:
 
     struct Compiled {
         gl::Program program;
+        ParamsBlock params;
         GLint dispatch_constants = -1;  // uniform location
     };
 
     /// Throws gl::ShaderError with file, line and the driver's log.
-    const Compiled& get(const Program& program);
+    Compiled& get(const Program& program);
 
 private:
     std::filesystem::path folder_;

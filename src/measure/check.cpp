@@ -15,8 +15,8 @@ CheckReport check(Simulation& simulation, Backend& mirror, std::uint64_t steps,
     for (std::uint64_t step = 0; step < steps; ++step) {
         for (std::uint32_t i = 0; i < simulation.settings().substeps; ++i) {
             checker.run(simulation.schedule(), simulation.params(), 0, simulation.schedule().dispatches.size());
+            checker.end_substep(simulation.schedule());
             simulation.end_substep();
-            checker.end_substep();
         }
         if (progress) {
             progress(step + 1);

@@ -13,10 +13,10 @@ void add_spring(Totals& totals, double overlap, double stiffness) {
     totals.max_overlap = std::max(totals.max_overlap, overlap);
 }
 
-void add_walls(Totals& totals, const vec4& ball, const dvec3& half_extent, double stiffness) {
+void add_walls(Totals& totals, const vec4& ball, const Box& box, double stiffness) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto position = static_cast<double>(ball[axis]);
-        for (const double gap : {position + half_extent[axis], half_extent[axis] - position}) {
+        for (const double gap : {position - box.lower[axis], box.upper[axis] - position}) {
             const double overlap = static_cast<double>(ball.w) - gap;
             if (overlap > 0.0) {
                 add_spring(totals, overlap, stiffness);
@@ -27,7 +27,7 @@ void add_walls(Totals& totals, const vec4& ball, const dvec3& half_extent, doubl
 
 }  // namespace
 
-Totals totals_of(const BallState& state, const Settings& settings, Features features, const dvec3& half_extent) {
+Totals totals_of(const BallState& state, const Settings& settings, Features features, const Box& box) {
     Totals totals;
     for (std::size_t i = 0; i < state.positions.size(); ++i) {
         const auto mass = static_cast<double>(state.velocities[i].w);
@@ -39,7 +39,7 @@ Totals totals_of(const BallState& state, const Settings& settings, Features feat
             totals.potential -= mass * glm::dot(settings.gravity, position);
         }
         if (features.has(Feature::walls)) {
-            add_walls(totals, state.positions[i], half_extent, settings.stiffness);
+            add_walls(totals, state.positions[i], box, settings.stiffness);
         }
     }
     if (features.has(Feature::contact)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/ball_state.h"
+#include "core/box.h"
 #include "core/features.h"
 #include "core/settings.h"
 
@@ -18,6 +19,6 @@ struct Totals {
 
 /// `state` must have velocities at the time of the positions (Simulation::synchronised_state). Laws that the
 /// scene does not have contribute nothing.
-Totals totals_of(const BallState& state, const Settings& settings, Features features, const dvec3& half_extent);
+Totals totals_of(const BallState& state, const Settings& settings, Features features, const Box& box);
 
 }  // namespace ballpit::measure

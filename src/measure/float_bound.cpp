@@ -70,14 +70,25 @@ struct Bounder {
     void add_walls(Contacts& sum, std::size_t i) const {
         const vec4& ball = positions[i];
         for (int axis = 0; axis < 3; ++axis) {
-            const auto half = static_cast<float>(params.half_extent[axis]);
-            for (const float overlap : {ball.w - (ball[axis] + half), ball.w - (half - ball[axis])}) {
+            const auto lower = static_cast<float>(params.box_lower[axis]);
+            const auto upper = static_cast<float>(params.box_upper[axis]);
+            const double wall_speed =
+                std::max(std::abs(params.lower_velocity[axis]), std::abs(params.upper_velocity[axis]));
+            const double speed = std::abs(static_cast<double>(velocities[i][axis])) + wall_speed;
+            for (const float overlap : {ball.w - (ball[axis] - lower), ball.w - (upper - ball[axis])}) {
                 if (overlap > 0.0f) {
-                    add(sum, {0.0, static_cast<double>(overlap), std::abs(static_cast<double>(velocities[i][axis])),
-                              static_cast<double>(velocities[i].w), damping_ratio(i)});
+                    add(sum, {0.0, static_cast<double>(overlap), speed, static_cast<double>(velocities[i].w),
+                              damping_ratio(i)});
                 }
             }
         }
+    }
+
+    // m/s^2, both terms of the hand's spring.
+    double pull(std::size_t i) const {
+        return params.pull_rate *
+               (params.pull_rate * (glm::length(params.pull_target) + glm::length(dvec3(positions[i]))) +
+                2.0 * glm::length(dvec3(velocities[i])));
     }
 
     struct Errors {
@@ -87,12 +98,13 @@ struct Bounder {
 
     Errors errors(const Contacts& sum, std::size_t i) const {
         constexpr double underflow = 16.0 * smallest_normal;
-        if (sum.count == 0.0) {
+        const bool pulled = features.has(Feature::pull) && i == params.pull_ball;
+        if (sum.count == 0.0 && !pulled) {
             return {underflow, underflow};  // free flight: no division but 0 / mass, so both sides agree
         }
         const auto mass = static_cast<double>(velocities[i].w);
         const double gravity = features.has(Feature::gravity) ? glm::length(params.gravity) : 0.0;
-        const double acceleration = sum.force / mass + gravity;
+        const double acceleration = sum.force / mass + gravity + (pulled ? pull(i) : 0.0);
         const double force_error = ulp * (sum.uncertainty + 2.0 * (sum.count + 2.0) * sum.force);
         const double acceleration_error = force_error / mass + 6.0 * ulp * acceleration;
         const double gain = params.gain + params.second_gain;

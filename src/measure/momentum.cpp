@@ -38,19 +38,23 @@ double wall_force(const SubstepParams<double>& p, Features features, double over
     return features.has(Feature::limit_force) ? std::max(force, 0.0) : force;
 }
 
+// m/s^2: the hand that holds a ball.
+dvec3 pull(const SubstepParams<double>& p, const dvec3& position, const dvec3& velocity) {
+    return p.pull_rate * p.pull_rate * (p.pull_target - position) - 2.0 * p.pull_rate * velocity;
+}
+
 // N, on one ball. The overlaps are in float and in collide's order: whether a ball just touches a wall must not be a
 // matter of rounding.
 dvec3 walls_force(const SubstepParams<double>& p, Features features, const vec4& position, const vec4& velocity,
                   double zeta) {
     dvec3 force(0.0);
     for (int axis = 0; features.has(Feature::walls) && axis < 3; ++axis) {
-        const auto half = static_cast<float>(p.half_extent[axis]);
-        const float low = position.w - (position[axis] + half);
-        const float high = position.w - (half - position[axis]);
+        const float low = position.w - (position[axis] - static_cast<float>(p.box_lower[axis]));
+        const float high = position.w - (static_cast<float>(p.box_upper[axis]) - position[axis]);
         const auto v = static_cast<double>(velocity[axis]);
         const auto mass = static_cast<double>(velocity.w);
-        force[axis] = wall_force(p, features, static_cast<double>(low), v, mass, zeta) -
-                      wall_force(p, features, static_cast<double>(high), -v, mass, zeta);
+        force[axis] = wall_force(p, features, static_cast<double>(low), v - p.lower_velocity[axis], mass, zeta) -
+                      wall_force(p, features, static_cast<double>(high), p.upper_velocity[axis] - v, mass, zeta);
     }
     return force;
 }
@@ -71,7 +75,9 @@ Violation momentum_balanced(const SubstepParams<double>& params, Features featur
             features.has(Feature::ball_restitution) ? static_cast<double>(damping_ratios[i]) : params.damping_ratio;
         const dvec3 before(velocities[i]);
         const dvec3 after(next_velocities[i]);
-        const dvec3 gravity = features.has(Feature::gravity) ? params.gravity : dvec3(0.0);
+        const bool pulled = features.has(Feature::pull) && i == params.pull_ball;
+        const dvec3 gravity = (features.has(Feature::gravity) ? params.gravity : dvec3(0.0)) +
+                              (pulled ? pull(params, dvec3(positions[i]), before) : dvec3(0.0));
         const dvec3 walls = walls_force(params, features, positions[i], velocities[i], zeta);
         unexplained += mass * (after - kick.decay * before) - kick.gain * (mass * gravity + walls);
         tolerance += mass * (bound.velocity[i] +
@@ -80,7 +86,7 @@ Violation momentum_balanced(const SubstepParams<double>& params, Features featur
     const double off = glm::length(unexplained);
     if (std::isfinite(off) && off > tolerance) {
         return "the momentum changed by " + std::to_string(off) +
-               " kg m/s that no wall, gravity or drag explains (rounding: " + std::to_string(tolerance) + ")";
+               " kg m/s that no wall, gravity, drag or hand explains (rounding: " + std::to_string(tolerance) + ")";
     }
     return std::nullopt;
 }

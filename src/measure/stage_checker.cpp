@@ -13,17 +13,23 @@ namespace {
 
 constexpr std::size_t violations_kept = 10;
 
+bool writes(const Dispatch& dispatch, Slot slot) {
+    return std::ranges::find(dispatch.writes, slot) != dispatch.writes.end();
+}
+
+bool is_position(Slot slot) { return slot == Slot::positions || slot == Slot::next_positions; }
+
 Violation violation_after(Backend& backend, const Schedule& schedule, const Dispatch& dispatch,
-                          const SubstepParams<double>& params) {
+                          const SubstepParams<double>& params, const BallState& before) {
     if (dispatch.stage == Stage::collide) {
-        const auto next_positions = read_slot<vec4>(backend, Slot::next_positions);
-        const auto next_velocities = read_slot<vec4>(backend, Slot::next_velocities);
-        if (Violation violation = all_finite(next_positions, next_velocities)) {
+        const bool in_place = writes(dispatch, Slot::positions);
+        const auto positions = read_slot<vec4>(backend, in_place ? Slot::positions : Slot::next_positions);
+        const auto velocities = read_slot<vec4>(backend, in_place ? Slot::velocities : Slot::next_velocities);
+        if (Violation violation = all_finite(positions, velocities)) {
             return violation;
         }
-        return momentum_balanced(params, dispatch.program.features, read_slot<vec4>(backend, Slot::positions),
-                                 read_slot<vec4>(backend, Slot::velocities),
-                                 read_slot<float>(backend, Slot::damping_ratios), next_velocities);
+        return momentum_balanced(params, dispatch.program.features, before.positions, before.velocities,
+                                 read_slot<float>(backend, Slot::damping_ratios), velocities);
     }
     const auto keys = read_slot<Key>(backend, Slot::keys);
     switch (dispatch.stage) {
@@ -51,20 +57,25 @@ void StageChecker::run(const Schedule& schedule, const SubstepParams<double>& pa
                        std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const Dispatch& dispatch = schedule.dispatches[i];
+        BallState before;  // collide may work in place
+        if (dispatch.stage == Stage::collide) {
+            before.positions = read_slot<vec4>(backend_, Slot::positions);
+            before.velocities = read_slot<vec4>(backend_, Slot::velocities);
+        }
         backend_.run(schedule, params, i, i + 1);
         if (mirror_ != nullptr) {
             mirror_->run(schedule, params, i, i + 1);
-            compare(dispatch, params);
+            compare(dispatch, params, before);
         }
         if (i + 1 == schedule.dispatches.size() || schedule.dispatches[i + 1].stage != dispatch.stage) {
-            check_invariant(schedule, dispatch, params);
+            check_invariant(schedule, dispatch, params, before);
         }
         ++dispatches_;
     }
 }
 
-void StageChecker::end_substep() {
-    if (mirror_ != nullptr) {
+void StageChecker::end_substep(const Schedule& schedule) {
+    if (mirror_ != nullptr && !schedule.in_place) {
         mirror_->swap_states();
     }
     ++substeps_;
@@ -80,7 +91,7 @@ void StageChecker::clear() {
     dispatches_ = 0;
 }
 
-void StageChecker::compare(const Dispatch& dispatch, const SubstepParams<double>& params) {
+void StageChecker::compare(const Dispatch& dispatch, const SubstepParams<double>& params, const BallState& before) {
     for (const Slot slot : dispatch.writes) {
         const Bytes ours = backend_.read(slot);
         const Bytes theirs = mirror_->read(slot);
@@ -89,7 +100,7 @@ void StageChecker::compare(const Dispatch& dispatch, const SubstepParams<double>
         if (ours == theirs) {
             continue;
         }
-        const Comparison difference = compare_slot(slot, ours, theirs, bounds(slot, dispatch, params));
+        const Comparison difference = compare_slot(slot, ours, theirs, bounds(slot, dispatch, params, before));
         add(row, difference, dispatch);
         mirror_->write(slot, ours);
         bytes_[static_cast<std::size_t>(slot)] = CheckedBytes{dispatch.name, ours, theirs, difference.places};
@@ -97,14 +108,14 @@ void StageChecker::compare(const Dispatch& dispatch, const SubstepParams<double>
 }
 
 // Only collide writes floats; its bound follows from the state that it read.
-std::vector<double> StageChecker::bounds(Slot slot, const Dispatch& dispatch, const SubstepParams<double>& params) {
+std::vector<double> StageChecker::bounds(Slot slot, const Dispatch& dispatch, const SubstepParams<double>& params,
+                                         const BallState& before) {
     if (dispatch.stage != Stage::collide || slot == Slot::status) {
         return {};
     }
-    CollideBound bound =
-        collide_bound(params, dispatch.program.features, read_slot<vec4>(backend_, Slot::positions),
-                      read_slot<vec4>(backend_, Slot::velocities), read_slot<float>(backend_, Slot::damping_ratios));
-    return slot == Slot::next_positions ? bound.position : bound.velocity;
+    CollideBound bound = collide_bound(params, dispatch.program.features, before.positions, before.velocities,
+                                       read_slot<float>(backend_, Slot::damping_ratios));
+    return is_position(slot) ? bound.position : bound.velocity;
 }
 
 void StageChecker::add(CheckRow& row, const Comparison& difference, const Dispatch& dispatch) const {
@@ -131,8 +142,8 @@ CheckRow& StageChecker::row_of(Stage stage, Slot slot) {
 }
 
 void StageChecker::check_invariant(const Schedule& schedule, const Dispatch& dispatch,
-                                   const SubstepParams<double>& params) {
-    const Violation violation = violation_after(backend_, schedule, dispatch, params);
+                                   const SubstepParams<double>& params, const BallState& before) {
+    const Violation violation = violation_after(backend_, schedule, dispatch, params, before);
     if (!violation) {
         return;
     }

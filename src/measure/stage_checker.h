@@ -48,7 +48,8 @@ public:
     void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first, std::size_t last);
 
     /// The mirror follows the backend's swap_states().
-    void end_substep();
+    /// Of this schedule.
+    void end_substep(const Schedule& schedule);
 
     /// Forgets the findings, not the state.
     void clear();
@@ -66,11 +67,13 @@ public:
     std::uint64_t dispatches() const { return dispatches_; }
 
 private:
-    void compare(const Dispatch& dispatch, const SubstepParams<double>& params);
-    std::vector<double> bounds(Slot slot, const Dispatch& dispatch, const SubstepParams<double>& params);
+    void compare(const Dispatch& dispatch, const SubstepParams<double>& params, const BallState& before);
+    std::vector<double> bounds(Slot slot, const Dispatch& dispatch, const SubstepParams<double>& params,
+                               const BallState& before);
     void add(CheckRow& row, const Comparison& difference, const Dispatch& dispatch) const;
     CheckRow& row_of(Stage stage, Slot slot);
-    void check_invariant(const Schedule& schedule, const Dispatch& dispatch, const SubstepParams<double>& params);
+    void check_invariant(const Schedule& schedule, const Dispatch& dispatch, const SubstepParams<double>& params,
+                         const BallState& before);
 
     Backend& backend_;
     Backend* mirror_ = nullptr;

@@ -29,10 +29,4 @@ struct Inspection {
     const SlotCopy& slot(Slot which) const { return slots[static_cast<std::size_t>(which)]; }
 };
 
-/// Where the state stands that keys and cells were made from: between the substeps it is the one before.
-constexpr Slot grid_positions(bool within_substep) { return within_substep ? Slot::positions : Slot::next_positions; }
-constexpr Slot grid_velocities(bool within_substep) {
-    return within_substep ? Slot::velocities : Slot::next_velocities;
-}
-
 }  // namespace ballpit::ui

@@ -108,6 +108,10 @@ struct Control {
         ImGui::EndCombo();
         return changed;
     }
+
+    // These have no row.
+    bool operator()(Laws Settings::*) const { return false; }
+    bool operator()(std::optional<Pull> Settings::*) const { return false; }
 };
 
 bool differs(const SettingInfo& info, const Settings& a, const Settings& b) {
@@ -144,6 +148,12 @@ std::string shown_unit(std::string_view unit) {
         }
     }
     return shown;
+}
+
+bool has_row(const SettingInfo& info) {
+    return !std::holds_alternative<Laws Settings::*>(info.member) &&
+           !std::holds_alternative<std::optional<Pull> Settings::*>(info.member) && info.needs[0] != &Laws::walls &&
+           info.needs[0] != &Laws::shake;
 }
 
 bool setting_row(const SettingInfo& info, const State& state, Settings& edited) {

@@ -20,6 +20,9 @@ SliderRange slider_range(const SettingInfo& info, const Settings& defaults, std:
 /// "m/s^2" as "m/s²"; a printf pattern that ends in a unit has its % doubled.
 std::string shown_unit(std::string_view unit);
 
+/// Whether the setting has a row in the settings panel: laws, walls in motion and hands have panels of their own.
+bool has_row(const SettingInfo& info);
+
 /// Appends the row; true when it has changed `edited`, whose value is then inside the setting's range.
 bool setting_row(const SettingInfo& info, const State& state, Settings& edited);
 

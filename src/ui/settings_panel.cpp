@@ -61,7 +61,7 @@ void settings_panel(const State& state, Commands& commands) {
     Settings edited = state.settings;
     bool changed = false;
     for (const SettingInfo& info : setting_table()) {
-        if (setting_applies(info, state.features)) {
+        if (has_row(info) && setting_applies(info, state.settings.laws)) {
             changed |= setting_row(info, state, edited);
         }
     }

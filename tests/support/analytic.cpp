@@ -87,7 +87,7 @@ Collision collide(const Machine& machine, Integrator integrator, double dt, doub
     a.position = {-0.5 * (gap + reach), 0, 0};
     b.position = {0.5 * (gap + reach), 0, 0};
     Scene scene = scene_of({a, b}, integrator, dt);
-    scene.laws.contact = true;
+    scene.settings.laws.contact = true;
     Simulation simulation = start(machine, scene);
     Collision result{0.0, 0.0, 0.0, 0.0};
     bool touched = false;
@@ -126,8 +126,8 @@ constexpr std::array symplectic = {Integrator::leapfrog, Integrator::symplectic_
 
 Scene drag_scene(const BallSpec& thrown, Integrator integrator, double dt) {
     Scene scene = scene_of({thrown}, integrator, dt);
-    scene.laws.gravity = true;
-    scene.laws.drag = true;
+    scene.settings.laws.gravity = true;
+    scene.settings.laws.drag = true;
     scene.settings.drag = 0.1;
     return scene;
 }
@@ -139,7 +139,7 @@ void a1_free_fall(const Machine& machine) {
         for (std::size_t i = 0; i < integrator_names.size(); ++i) {
             const auto integrator = static_cast<Integrator>(i);
             Scene scene = scene_of({ball({0, 0, 10}, {1, -2, 3})}, integrator, dt);
-            scene.laws.gravity = true;
+            scene.settings.laws.gravity = true;
             const Motion end = motion_after(machine, scene, 1.0);
             // The Euler integrators see the speed of one end of each substep: half a substep of fall too much or
             // little.
@@ -264,7 +264,7 @@ void a8_restitution_with_dashpot(const Machine& machine) {
             for (int phase = 0; phase < 16; ++phase) {
                 Scene scene = scene_of({ball({-3.9 + dt * (3.0 + (phase + 0.5) / 16.0), 0, 0}, {-1, 0, 0})},
                                        Integrator::leapfrog, dt);
-                scene.laws.contact = scene.laws.walls = scene.laws.restitution = true;
+                scene.settings.laws.contact = scene.settings.laws.walls = scene.settings.laws.restitution = true;
                 scene.settings.restitution = e;
                 scene.settings.limit_force = limit_force;
                 sum += motion_after(machine, scene, 3.0 * n * dt).v[0].x;
@@ -285,7 +285,8 @@ void a9_static_overlap(const Machine& machine) {
             // c = 20 N s/m is zeta = 0.1; c > k dt, so that even forward Euler comes to rest.
             Scene scene = scene_of({ball({0, 0, 0.1 - row.half_extent}, {})}, static_cast<Integrator>(i), 1.0 / 1920.0);
             scene.half_extent = dvec3(row.half_extent);
-            scene.laws.gravity = scene.laws.contact = scene.laws.walls = scene.laws.restitution = true;
+            scene.settings.laws.gravity = scene.settings.laws.contact = scene.settings.laws.walls =
+                scene.settings.laws.restitution = true;
             scene.settings.restitution = restitution_from_damping_ratio(0.1, true);
             const Motion end = motion_after(machine, scene, 4.0);
             CAPTURE(row.half_extent, integrator_names[i]);
@@ -304,7 +305,7 @@ void a14_newtons_cradle(const Machine& machine) {
             balls.push_back(ball({-0.5 + 0.25 * i, 0, 0}, {i == 0 ? 1.0 : 0.0, 0, 0}, 0.125));
         }
         Scene scene = scene_of(balls, Integrator::leapfrog, dt);
-        scene.laws.contact = true;
+        scene.settings.laws.contact = true;
         const Motion end = motion_after(machine, scene, 10.0 * n * dt);
         for (std::size_t i = 0; i < exact.size(); ++i) {
             CAPTURE(n, i);
@@ -319,7 +320,7 @@ void a16_corner(const Machine& machine) {
         const double dt = pi / wall_frequency / n;
         for (const Integrator integrator : symplectic) {
             Scene scene = scene_of({ball(dvec3(-3.9) - v * dt * 3.3, v)}, integrator, dt);
-            scene.laws.contact = scene.laws.walls = true;
+            scene.settings.laws.contact = scene.settings.laws.walls = true;
             const Motion end = motion_after(machine, scene, 3.0 * n * dt);
             for (int axis = 0; axis < 3; ++axis) {
                 CAPTURE(n, axis, integrator_names[static_cast<std::size_t>(integrator)]);

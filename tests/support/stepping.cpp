@@ -53,7 +53,7 @@ Simulation stepping_simulation(std::unique_ptr<Backend> backend, SortMethod sort
     Scene scene;
     scene.name = "stepping";
     scene.half_extent = dvec3(1.0);
-    scene.laws = {true, true, true, true, true};
+    scene.settings.laws = parse_laws("gravity,drag,contact,restitution,walls,diagnostics");
     scene.fill = Fill{40, {0.1, 0.15}, 1000.0, 1.0, {dvec3(-0.9), dvec3(0.9)}, 7};
     scene.balls.push_back({dvec3(0.0), dvec3(0.0), 0.2, 5.0, 0.5});
     scene.settings.balls = 41;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/backend.h"
+#include "core/world.h"
 #include "support/balls.h"
 
 namespace ballpit::test {
@@ -34,10 +35,15 @@ inline Grid dyadic_grid() { return {dvec3(-box_half_extent), 0.25, uvec3(16)}; }
 
 inline SubstepSetup setup_for(const BallState& state, Features features, SortMethod sort, const Settings& settings = {},
                               const Grid& grid = dyadic_grid(), const dvec3& half_extent = dvec3(box_half_extent)) {
+    const Variety variety = variety_of(state);
+    features.add(Feature::unequal_radii, variety.radii);
+    features.add(Feature::unequal_masses, variety.masses);
+    features.add(Feature::diagnostics);
     SubstepSetup setup{settings, make_schedule(state.count(), grid, features, sort), {}};
+    setup.settings.laws.restitution = features.has(Feature::dashpot);
     const double drag = features.has(Feature::drag) ? settings.drag : 0.0;
     const SubstepMotion motion = substep_motion(settings.integrator, drag, settings.dt / settings.substeps, 0.0);
-    setup.params = make_substep_params(settings, half_extent, grid, motion, state.count());
+    setup.params = make_substep_params(setup.settings, half_extent, grid, motion, state.count(), variety);
     return setup;
 }
 

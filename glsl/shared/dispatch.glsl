@@ -1,7 +1,5 @@
-// The constants of a substep, and the index of this thread.
+// What this dispatch is told, and the index of this thread.
 #include "shared/layout.h"
-
-layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock { SubstepParams params; };
 
 // Constants of this dispatch alone, such as k and j of a sort pass.
 uniform uvec4 dispatch_constants;
