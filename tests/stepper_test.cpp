@@ -117,6 +117,21 @@ TEST_CASE("checkpoints thin out towards the past and stay within the budget", "[
     CHECK(timeline.has({0, 0}));
 }
 
+TEST_CASE("a timeline that begins late remembers only from there on", "[stepper]") {
+    constexpr std::uint64_t late = std::uint64_t{1} << 39;  // of a scene that was saved after ten thousand years
+    Timeline timeline(1u << 20);
+    timeline.add({late, 0}, checkpoint_of(8));
+    timeline.record_substeps(late, 3);
+    CHECK(timeline.record_hash(late + 1, 17));
+    CHECK(timeline.substeps_of(late) == 3);
+    CHECK(timeline.substeps_of(late - 1) == 0);
+    CHECK(timeline.hash(late + 1) == 17);
+    CHECK_FALSE(timeline.hash(0));
+    timeline.change({late, 1}, Settings{});
+    CHECK_FALSE(timeline.hash(late + 1));
+    CHECK(timeline.substeps_of(late) == 3);
+}
+
 TEST_CASE("a slider dragged while paused leaves its last value only, other changes all take hold again", "[stepper]") {
     Timeline timeline(1u << 20);
     timeline.add({0, 0}, checkpoint_of(8));

@@ -66,7 +66,8 @@ SubstepParams<double> make_substep_params(const Settings& settings, const Walls&
     if (settings.pull) {
         p.pull_target = settings.pull->target;
         p.pull_ball = settings.pull->ball;
-        p.pull_rate = motion.drift > 0.0 ? std::min(hand_rate, rate_per_substep / motion.drift) : hand_rate;
+        const double dt = settings.dt / settings.substeps;
+        p.pull_rate = dt > 0.0 ? std::min(hand_rate, rate_per_substep / dt) : hand_rate;
     }
     p.grid_origin = grid.origin;
     p.inverse_cell_width = 1.0 / grid.cell_width;

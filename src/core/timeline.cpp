@@ -33,6 +33,7 @@ bool replaces(const Change& before, const Change& after) {
 void Timeline::clear() {
     checkpoints_.clear();
     changes_.clear();
+    first_step_.reset();
     steps_.clear();
     used_ = 0;
 }
@@ -44,6 +45,7 @@ void Timeline::set_budget(std::size_t bytes) {
 
 void Timeline::add(const Moment& moment, Checkpoint&& checkpoint) {
     const std::size_t bytes = cost(checkpoint);
+    first_step_ = first_step_.value_or(moment.step);
     const auto [place, added] = checkpoints_.try_emplace(moment, std::move(checkpoint));
     if (added) {
         used_ += bytes;
@@ -88,8 +90,9 @@ void Timeline::change(const Moment& moment, const Change& change) {
         here.push_back(change);
     }
     // On arriving at this step the state was what it was; only what comes after it is open again.
-    if (steps_.size() > moment.step + 1) {
-        steps_.resize(moment.step + 1);
+    const std::uint64_t kept = moment.step + 1 - *first_step_;
+    if (steps_.size() > kept) {
+        steps_.resize(kept);
     }
 }
 
@@ -99,16 +102,24 @@ std::span<const Change> Timeline::changes_at(const Moment& moment) const {
 }
 
 Timeline::StepRecord& Timeline::record(std::uint64_t step) {
-    if (steps_.size() <= step) {
-        steps_.resize(step + 1);
+    assert(first_step_ && step >= *first_step_);
+    const std::uint64_t place = step - *first_step_;
+    if (steps_.size() <= place) {
+        steps_.resize(place + 1);
     }
-    return steps_[step];
+    return steps_[place];
+}
+
+const Timeline::StepRecord* Timeline::find_record(std::uint64_t step) const {
+    return first_step_ && step >= *first_step_ && step - *first_step_ < steps_.size() ? &steps_[step - *first_step_]
+                                                                                      : nullptr;
 }
 
 void Timeline::record_substeps(std::uint64_t step, std::uint32_t substeps) { record(step).substeps = substeps; }
 
 std::uint32_t Timeline::substeps_of(std::uint64_t step) const {
-    return step < steps_.size() ? steps_[step].substeps : 0;
+    const StepRecord* found = find_record(step);
+    return found == nullptr ? 0 : found->substeps;
 }
 
 bool Timeline::record_hash(std::uint64_t step, std::uint64_t hash) {
@@ -121,7 +132,8 @@ bool Timeline::record_hash(std::uint64_t step, std::uint64_t hash) {
 }
 
 std::optional<std::uint64_t> Timeline::hash(std::uint64_t step) const {
-    return step < steps_.size() ? steps_[step].hash : std::nullopt;
+    const StepRecord* found = find_record(step);
+    return found == nullptr ? std::nullopt : found->hash;
 }
 
 }  // namespace ballpit

@@ -68,13 +68,15 @@ private:
     };
 
     StepRecord& record(std::uint64_t step);
+    const StepRecord* find_record(std::uint64_t step) const;
     void shrink();
 
     std::size_t budget_;
     std::size_t used_ = 0;
     std::map<Moment, Checkpoint> checkpoints_;
     std::map<Moment, std::vector<Change>> changes_;
-    std::vector<StepRecord> steps_;
+    std::optional<std::uint64_t> first_step_;  // of the first checkpoint: a saved moment may begin anywhere
+    std::vector<StepRecord> steps_;            // from there on
 };
 
 }  // namespace ballpit
