@@ -157,6 +157,8 @@ int run_bench(const Options& options) {
     }
     const Setup setup = make_setup(options);
     const std::vector<Settings> wanted = combinations(options, setup.settings);
+    Report json(options.json);
+    Report csv(options.csv);
     Device device = open_device(options.backend, setup.paths.shaders, false);
     if (!device.note.empty()) {
         std::cerr << "ballpit: " << device.note << "\n";
@@ -172,16 +174,25 @@ int run_bench(const Options& options) {
     }
     std::vector<Row> rows;
     report["rows"] = Json::array();
+    // A row that the device has no room for does not take the others with it.
+    const auto finish = [&] {
+        json.write(report.dump(2) + "\n");
+        csv.write(csv_text(rows, report));
+    };
     for (const Settings& settings : wanted) {
-        simulation.load(setup.scene, settings, setup.seed);
-        rows.push_back(measure_row(simulation, steps));
+        try {
+            simulation.load(setup.scene, settings, setup.seed);
+            rows.push_back(measure_row(simulation, steps));
+        } catch (const DeviceError&) {
+            finish();
+            throw;
+        }
         report["rows"].push_back(row_json(rows.back()));
         if (!quiet) {
             print(rows.back());
         }
     }
-    write_report(options.json, report.dump(2) + "\n");
-    write_report(options.csv, csv_text(rows, report));
+    finish();
     return 0;
 }
 

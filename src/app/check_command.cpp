@@ -74,6 +74,7 @@ int run_check(const Options& options) {
         throw InputError("check --backend cpu: the mirror would be compared with itself; expected gpu or auto");
     }
     const Setup setup = make_setup(options);
+    Report json(options.json);
     Device device = open_device("gpu", setup.paths.shaders, false);  // what auto means here
     Simulation simulation = make_simulation(setup, device);
     cpu::CpuBackend<float> mirror;
@@ -81,7 +82,7 @@ int run_check(const Options& options) {
     if (options.json != "-") {
         print(report, simulation);
     }
-    write_report(options.json, report_json(report, simulation).dump(2) + "\n");
+    json.write(report_json(report, simulation).dump(2) + "\n");
     return report.passed() ? 0 : 1;
 }
 

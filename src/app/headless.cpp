@@ -104,6 +104,11 @@ void print_summary(const Json& report) {
 
 int run_headless(const Options& options) {
     const Setup setup = make_setup(options);
+    Report json(options.json);
+    std::optional<AtomicFile> state_file;
+    if (!options.state_out.empty()) {
+        state_file.emplace(options.state_out);
+    }
     const bool picture = !options.screenshot.empty();
     Device device = open_device(options.backend, setup.paths.shaders, picture);
     if (!device.note.empty()) {
@@ -127,10 +132,9 @@ int run_headless(const Options& options) {
     trace.commit();
 
     const BallState state = simulation.synchronised_state();
-    if (!options.state_out.empty()) {
-        AtomicFile file(options.state_out);
-        write_state(file.stream(), state);
-        file.commit();
+    if (state_file) {
+        write_state(state_file->stream(), state);
+        state_file->commit();
     }
     if (screenshot) {
         screenshot->save(simulation);
@@ -139,7 +143,7 @@ int run_headless(const Options& options) {
     if (options.json != "-") {
         print_summary(report);
     }
-    write_report(options.json, report.dump(2) + "\n");
+    json.write(report.dump(2) + "\n");
     return 0;
 }
 

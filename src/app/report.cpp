@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <iostream>
 
-#include "app/atomic_file.h"
-
 namespace ballpit::app {
 
 Json device_json(const Backend& backend) {
@@ -34,17 +32,19 @@ std::string hash_text(std::uint64_t hash) {
     return text.data();
 }
 
-void write_report(const std::string& place, const std::string& text) {
-    if (place.empty()) {
-        return;
+Report::Report(const std::string& place) : to_standard_output_(place == "-") {
+    if (!place.empty() && !to_standard_output_) {
+        file_.emplace(place);
     }
-    if (place == "-") {
+}
+
+void Report::write(const std::string& text) {
+    if (to_standard_output_) {
         std::cout << text << std::flush;
-        return;
+    } else if (file_) {
+        file_->stream() << text;
+        file_->commit();
     }
-    AtomicFile file(place);
-    file.stream() << text;
-    file.commit();
 }
 
 }  // namespace ballpit::app

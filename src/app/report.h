@@ -2,8 +2,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "app/atomic_file.h"
 #include "core/layout.h"
 #include "core/simulation.h"
 
@@ -19,7 +21,18 @@ Json settings_json(const Simulation& simulation);
 Json status_json(const Status& status);
 /// 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
-/// Writes to a file (whole or not at all) or, for "-", to standard output. An empty place writes nothing.
-void write_report(const std::string& place, const std::string& text);
+
+/// A report on its way to a file (whole or not at all) or, for "-", to standard output. An empty place writes nothing.
+class Report {
+public:
+    /// Opens the file now, so that a wrong place is told before the work and not after it. Throws InputError.
+    explicit Report(const std::string& place);
+    /// Throws InputError if the disk is full.
+    void write(const std::string& text);
+
+private:
+    bool to_standard_output_;
+    std::optional<AtomicFile> file_;
+};
 
 }  // namespace ballpit::app
