@@ -152,7 +152,7 @@ class CommandLine(unittest.TestCase):
         scenes = run("scenes")
         self.assertEqual(scenes.returncode, 0)
         for path in (SOURCE / "assets" / "scenes").glob("*.json"):
-            self.assertIn(path.stem, scenes.stdout)
+            self.assertEqual(path.name != "scene.schema.json", path.stem in scenes.stdout, path.name)
         settings = run("settings")
         self.assertEqual(settings.returncode, 0)
         for key in ("balls", "gravity", "drag", "stiffness", "restitution", "substeps", "dt", "integrator", "sort"):

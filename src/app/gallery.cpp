@@ -12,7 +12,7 @@ std::vector<SceneEntry> list_scenes(const fs::path& assets) {
     std::vector<SceneEntry> scenes;
     std::error_code error;
     for (const fs::directory_entry& file : fs::directory_iterator(assets / "scenes", error)) {
-        if (file.path().extension() == ".json") {
+        if (file.path().extension() == ".json" && file.path().filename() != "scene.schema.json") {
             scenes.push_back({file.path().stem().string(), file.path()});
         }
     }

@@ -14,7 +14,7 @@ struct SceneEntry {
     std::filesystem::path path;
 };
 
-/// assets/scenes/*.json, by name.
+/// assets/scenes/*.json, by name; not the schema that lies beside them.
 std::vector<SceneEntry> list_scenes(const std::filesystem::path& assets);
 
 /// A scene of the gallery by name, or any file that ends in .json or has a path separator. Throws InputError that

@@ -13,7 +13,7 @@ namespace ballpit::app {
 int run_scenes() {
     for (const SceneEntry& entry : list_scenes(find_paths().assets)) {
         const Scene scene = load_scene(entry.path);
-        std::cout << std::left << std::setw(18) << entry.name << std::right << std::setw(8) << scene.settings.balls
+        std::cout << std::left << std::setw(20) << entry.name << std::right << std::setw(9) << scene.settings.balls
                   << " balls  " << scene.name << ": " << scene.about << "\n";
     }
     return 0;

@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::size_t deepest_nesting = 16;
 constexpr std::size_t longest_quote = 60;  // bytes of the file's own text that a message repeats
+constexpr std::size_t longest_place = 120;
+constexpr std::size_t longest_complaint = 160;
+constexpr std::string_view hexadecimal = "0123456789ABCDEF";
 
 std::string place_in_text(std::string_view text, std::size_t offset, const std::string& file) {
     const std::string_view before = text.substr(0, offset);
@@ -57,16 +60,19 @@ void expect_utf8(std::string_view text, const std::string& file) {
     }
 }
 
-// The text up to `longest_quote` bytes, cut between characters.
-std::string shortened(const std::string& text) {
-    if (text.size() <= longest_quote) {
-        return text;
-    }
-    std::size_t end = longest_quote;
-    while (end > 0 && (text[end] & 0xC0) == 0x80) {
+// The file's own text as a message may repeat it: on one line, and cut between characters after `longest` bytes.
+std::string readable(std::string_view text, std::size_t longest = longest_quote) {
+    std::size_t end = std::min(text.size(), longest);
+    while (end < text.size() && end > 0 && (text[end] & 0xC0) == 0x80) {
         --end;
     }
-    return text.substr(0, end) + "…";
+    std::string line;
+    for (const char c : text.substr(0, end)) {
+        const auto code = static_cast<unsigned char>(c);
+        const bool control = code < 0x20 || code == 0x7F;
+        line += control ? "\\x" + std::string{hexadecimal[code / 16], hexadecimal[code % 16]} : std::string{c};
+    }
+    return end < text.size() ? line + "…" : line;
 }
 
 std::string found_text(const json& value) {
@@ -76,11 +82,11 @@ std::string found_text(const json& value) {
     if (value.is_array()) {
         return "a list of " + std::to_string(value.size());
     }
-    return shortened(value.dump());
+    return readable(value.dump());
 }
 
-std::string place_in_tree(const std::string& file, const JsonValue::Pointer& pointer) {
-    return pointer.empty() ? file : file + ", " + pointer.to_string();
+std::string place_in_tree(const std::string& file, const json::json_pointer& pointer) {
+    return pointer.empty() ? file : file + ", " + readable(pointer.to_string(), longest_place);
 }
 
 // The library's own words without its error number and its place, which we give in our own form.
@@ -92,23 +98,25 @@ std::string syntax_complaint(const std::string& what) {
     } else if (const std::size_t number = what.find("number overflow", start); number != std::string::npos) {
         start = number;
     }
-    return what.substr(start, what.find("; last read", start) - start);
+    return readable(what.substr(start, what.find("; last read", start) - start), longest_complaint);
 }
 
 // Builds the tree itself, because the library's own builder keeps the last of equal keys in silence.
 class TreeBuilder : public nlohmann::json_sax<json> {
 public:
-    TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+    TreeBuilder(std::string_view text, const std::string& file, const StreamedList& list)
+        : text_(text), file_(file), list_(list) {}
 
     json take() { return std::move(root_); }
 
-    bool null() override { return add(json()) != nullptr; }
-    bool boolean(bool value) override { return add(json(value)) != nullptr; }
-    bool number_integer(number_integer_t value) override { return add(json(value)) != nullptr; }
-    bool number_unsigned(number_unsigned_t value) override { return add(json(value)) != nullptr; }
-    bool number_float(number_float_t value, const string_t&) override { return add(json(value)) != nullptr; }
-    bool string(string_t& value) override { return add(json(std::move(value))) != nullptr; }
-    bool binary(binary_t& value) override { return add(json(std::move(value))) != nullptr; }
+    bool null() override { return add_leaf(json()); }
+    bool boolean(bool value) override { return add_leaf(json(value)); }
+    // The only zero that comes here is written "-0"; an integer would lose its sign.
+    bool number_integer(number_integer_t value) override { return add_leaf(value == 0 ? json(-0.0) : json(value)); }
+    bool number_unsigned(number_unsigned_t value) override { return add_leaf(json(value)); }
+    bool number_float(number_float_t value, const string_t&) override { return add_leaf(json(value)); }
+    bool string(string_t& value) override { return add_leaf(json(std::move(value))); }
+    bool binary(binary_t& value) override { return add_leaf(json(std::move(value))); }
     bool start_object(std::size_t) override { return open(json::object()); }
     bool start_array(std::size_t) override { return open(json::array()); }
     bool end_object() override { return close(); }
@@ -145,12 +153,33 @@ private:
         return &(parent[key_] = std::move(value));
     }
 
+    bool add_leaf(json value) {
+        add(std::move(value));
+        completed();
+        return true;
+    }
+
+    // Hands on what has just been read whole, if it is an element of the streamed list.
+    void completed() {
+        if (open_.size() == 2 && open_.back() == streamed_) {
+            const JsonValue root(root_, file_);
+            const JsonValue list(*streamed_, root, list_.key);
+            list_.take(JsonValue(streamed_->back(), list, taken_));
+            streamed_->clear();
+            ++taken_;
+        }
+    }
+
     bool open(json container) {
         json* opened = add(std::move(container));
         if (!open_.empty()) {
             // An element's number is known only now that it is added.
             json& parent = *open_.back();
-            parent.is_array() ? pointer_.push_back(std::to_string(parent.size() - 1)) : pointer_.push_back(key_);
+            const std::size_t before = &parent == streamed_ ? taken_ : parent.size() - 1;
+            parent.is_array() ? pointer_.push_back(std::to_string(before)) : pointer_.push_back(key_);
+        }
+        if (list_.take && open_.size() == 1 && opened->is_array() && pointer_.back() == list_.key) {
+            streamed_ = opened;
         }
         open_.push_back(opened);
         if (open_.size() > deepest_nesting) {
@@ -165,14 +194,18 @@ private:
         if (!pointer_.empty()) {
             pointer_.pop_back();
         }
+        completed();
         return true;
     }
 
     std::string_view text_;
     const std::string& file_;
+    const StreamedList& list_;
+    json* streamed_ = nullptr;  // the streamed list, from its beginning on
+    std::size_t taken_ = 0;     // its elements that were handed on
     json root_;
     std::vector<json*> open_;
-    JsonValue::Pointer pointer_;
+    json::json_pointer pointer_;
     std::string key_;
 };
 
@@ -184,14 +217,26 @@ std::string shortest_text(double value) {
     return {buffer.data(), result.ptr};
 }
 
-json parse_json(std::string_view text, const std::string& file) {
+std::string range_text(double minimum, double maximum, std::string_view unit) {
+    return "a number from " + shortest_text(minimum) + " to " + shortest_text(maximum) +
+           (unit.empty() ? "" : " " + std::string(unit));
+}
+
+json parse_json(std::string_view text, const std::string& file, const StreamedList& list) {
     expect_utf8(text, file);
-    TreeBuilder builder(text, file);
+    TreeBuilder builder(text, file, list);
     json::sax_parse(text.begin(), text.end(), &builder);
     return builder.take();
 }
 
-std::string JsonValue::place() const { return place_in_tree(*file_, pointer_); }
+json::json_pointer JsonValue::pointer() const {
+    if (parent_ == nullptr) {
+        return json::json_pointer();
+    }
+    return key_.empty() ? parent_->pointer() / index_ : parent_->pointer() / std::string(key_);
+}
+
+std::string JsonValue::place() const { return place_in_tree(*file_, pointer()); }
 
 void JsonValue::refuse(const std::string& expected) const { refuse(expected, found_text(*value_)); }
 
@@ -213,7 +258,7 @@ void JsonValue::expect_object(std::initializer_list<std::string_view> known_keys
             for (const std::string_view known : known_keys) {
                 list += (list.empty() ? "" : ", ") + std::string(known);
             }
-            refuse("no other keys than " + list, "'" + shortened(item.key()) + "'");
+            refuse("no other keys than " + list, "'" + readable(item.key()) + "'");
         }
     }
 }
@@ -239,7 +284,7 @@ std::optional<JsonValue> JsonValue::optional(std::string_view key) const {
     if (found == value_->end()) {
         return std::nullopt;
     }
-    return JsonValue(*found, *file_, pointer_ / std::string(key));
+    return JsonValue(*found, *this, key);
 }
 
 std::size_t JsonValue::expect_array() const {
@@ -249,7 +294,7 @@ std::size_t JsonValue::expect_array() const {
     return value_->size();
 }
 
-JsonValue JsonValue::element(std::size_t index) const { return {value_->at(index), *file_, pointer_ / index}; }
+JsonValue JsonValue::element(std::size_t index) const { return {value_->at(index), *this, index}; }
 
 std::string JsonValue::string() const {
     if (!value_->is_string()) {
@@ -275,8 +320,7 @@ double JsonValue::number() const {
 double JsonValue::number_between(double minimum, double maximum, std::string_view unit) const {
     const double value = number();
     if (!(value >= minimum && value <= maximum)) {
-        refuse("a number from " + shortest_text(minimum) + " to " + shortest_text(maximum) +
-               (unit.empty() ? "" : " " + std::string(unit)));
+        refuse(range_text(minimum, maximum, unit));
     }
     return value;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,18 +15,19 @@
 
 namespace ballpit {
 
-/// Throws InputError with line and column (not UTF-8, not JSON, a number beyond double) or JSON pointer (a key
-/// twice, nested deeper than 16).
-nlohmann::json parse_json(std::string_view text, const std::string& file);
-
-/// A value of the tree together with its place. Every reader throws InputError "<file>, <JSON pointer>: expected …,
-/// found …".
+/// A value of the tree together with its place, which is put into words only when it is needed: a value must not
+/// outlive the one that it was taken from. Every reader throws InputError "<file>, <JSON pointer>: expected …, found
+/// …".
 class JsonValue {
 public:
-    using Pointer = nlohmann::json::json_pointer;
-
-    JsonValue(const nlohmann::json& value, const std::string& file, Pointer pointer = Pointer())
-        : value_(&value), file_(&file), pointer_(std::move(pointer)) {}
+    /// The outermost value of a file.
+    JsonValue(const nlohmann::json& value, const std::string& file) : value_(&value), file_(&file) {}
+    /// A member of an object; the key must live as long.
+    JsonValue(const nlohmann::json& value, const JsonValue& parent, std::string_view key)
+        : value_(&value), file_(parent.file_), parent_(&parent), key_(key) {}
+    /// An element of an array.
+    JsonValue(const nlohmann::json& value, const JsonValue& parent, std::size_t index)
+        : value_(&value), file_(parent.file_), parent_(&parent), index_(index) {}
 
     /// This must be an object.
     void expect_object() const;
@@ -35,6 +37,7 @@ public:
     JsonValue required(std::string_view key) const;
     std::optional<JsonValue> optional(std::string_view key) const;
 
+    bool is_object() const { return value_->is_object(); }
     /// This must be an array; its elements one by one.
     std::size_t expect_array() const;
     JsonValue element(std::size_t index) const;
@@ -54,12 +57,30 @@ public:
     std::string place() const;
 
 private:
+    nlohmann::json::json_pointer pointer() const;
+
     const nlohmann::json* value_;
     const std::string* file_;
-    Pointer pointer_;
+    const JsonValue* parent_ = nullptr;
+    std::string_view key_;  // empty for elements of an array
+    std::size_t index_ = 0;
 };
+
+/// The list that is the value of `key` in the outermost object, if there is one: `take` gets its elements one by one,
+/// and the tree keeps an empty list. Millions of elements then need no more memory than one.
+struct StreamedList {
+    std::string_view key;
+    std::function<void(const JsonValue&)> take;  // none: nothing is streamed
+};
+
+/// Throws InputError with line and column (not UTF-8, not JSON, a number beyond double) or JSON pointer (a key
+/// twice, nested deeper than 16).
+nlohmann::json parse_json(std::string_view text, const std::string& file, const StreamedList& list = {});
 
 /// A number as a person would type it, and read back the same.
 std::string shortest_text(double value);
+
+/// "a number from 0 to 1 s", without a unit where it is empty.
+std::string range_text(double minimum, double maximum, std::string_view unit);
 
 }  // namespace ballpit

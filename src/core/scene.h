@@ -41,6 +41,13 @@ struct Resume {
     WallShift walls;
 };
 
+/// What a scene promises for its first 600 steps.
+struct Bounds {
+    double speed = 0.0;    // m/s, of the fastest ball
+    double overlap = 0.0;  // of a pair or of a ball and a wall, in diameters of the smaller ball
+    double outside = 0.0;  // m, of a centre beyond the walls
+};
+
 struct Scene {
     std::string name;
     std::string about;
@@ -52,6 +59,7 @@ struct Scene {
     std::vector<BallSpec> balls;
     std::optional<Fill> fill;
     std::optional<Resume> resume;
+    std::optional<Bounds> bounds;
 };
 
 /// Factor by which box and fill region are wider in x and y at this count; 1 or more.

@@ -1,145 +1,82 @@
 #include "core/scene_file.h"
 
-#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 
-#include "core/contact.h"
 #include "core/error.h"
-#include "core/json_document.h"
+#include "core/scene_sections.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr std::size_t largest_file = 64u << 20;
-// What single precision can still compute with: beyond these, forces overflow or positions stand still.
-constexpr double smallest_length = 1e-3;   // m
-constexpr double largest_length = 1e4;     // m
-constexpr double largest_speed = 1e6;      // m/s
+constexpr std::size_t largest_file = std::size_t{1} << 30;
 constexpr double smallest_mass = 1e-9;     // kg
 constexpr double largest_mass = 1e12;      // kg
 constexpr double smallest_density = 1e-3;  // kg/m^3
 constexpr double largest_density = 1e6;    // kg/m^3
+constexpr double largest_number = 1e30;    // of a saved moment: what float can still compute with
 
-const SettingInfo& setting(std::string_view key) { return *find_setting(key); }
-
-double read_setting(const JsonValue& value, std::string_view key) {
-    check_range(setting(key), value.number(), value.place());
-    return value.number();
-}
-
-double read_restitution(const JsonValue& value) { return read_setting(value, "restitution"); }
-
-void read_box(const JsonValue& box, Scene& scene) {
-    box.expect_object({"half_extent", "reference_count"});
-    scene.half_extent = box.required("half_extent").vector_between(smallest_length, largest_length, "m");
-    if (const auto count = box.optional("reference_count")) {
-        scene.reference_count = static_cast<std::uint32_t>(count->whole_number(maximum_balls));
-    }
-}
-
-void read_contact(const JsonValue& contact, Scene& scene) {
-    contact.expect_object({"stiffness", "restitution", "limit_force"});
-    scene.settings.laws.contact = true;
-    scene.settings.stiffness = read_setting(contact.required("stiffness"), "stiffness");
-    scene.settings.restitution = 1.0;
-    if (const auto restitution = contact.optional("restitution")) {
-        scene.settings.laws.restitution = true;
-        scene.settings.restitution = read_restitution(*restitution);
-    }
-    if (const auto limit_force = contact.optional("limit_force")) {
-        scene.settings.limit_force = limit_force->boolean();
-    }
-}
-
-void read_laws(const JsonValue& laws, Scene& scene) {
-    laws.expect_object({"gravity", "drag", "contact", "walls"});
-    if (const auto gravity = laws.optional("gravity")) {
-        const SettingInfo& info = setting("gravity");
-        scene.settings.laws.gravity = true;
-        scene.settings.gravity = gravity->vector_between(info.minimum, info.maximum, info.unit);
-    }
-    if (const auto drag = laws.optional("drag")) {
-        scene.settings.laws.drag = true;
-        scene.settings.drag = read_setting(*drag, "drag");
-    }
-    if (const auto contact = laws.optional("contact")) {
-        read_contact(*contact, scene);
-    }
-    if (const auto walls = laws.optional("walls")) {
-        scene.settings.laws.walls = walls->boolean();
-        if (scene.settings.laws.walls && !scene.settings.laws.contact) {
-            walls->refuse("a law 'contact' beside walls, whose stiffness they share", "none");
-        }
-    }
-}
-
-Integrator read_integrator(const JsonValue& value) {
-    const std::string name = value.string();
-    const auto found = std::ranges::find(integrator_names, std::string_view(name));
-    if (found == integrator_names.end()) {
-        std::string list;
-        for (const std::string_view known : integrator_names) {
-            list += (list.empty() ? "" : ", ") + std::string(known);
-        }
-        value.refuse("one of " + list);
-    }
-    return static_cast<Integrator>(found - integrator_names.begin());
-}
-
-void read_time(const JsonValue& time, Settings& settings) {
-    time.expect_object({"dt", "substeps", "integrator"});
-    if (const auto dt = time.optional("dt")) {
-        settings.dt = read_setting(*dt, "dt");
-    }
-    if (const auto substeps = time.optional("substeps")) {
-        settings.substeps =
-            static_cast<std::uint32_t>(substeps->whole_number(std::numeric_limits<std::uint32_t>::max()));
-        check_range(setting("substeps"), settings.substeps, substeps->place());
-    }
-    if (const auto integrator = time.optional("integrator")) {
-        settings.integrator = read_integrator(*integrator);
-    }
+std::string inside_text(double half) {
+    return "a place inside the box, from " + shortest_text(-half) + " to " + shortest_text(half) + " m";
 }
 
 void expect_inside(const JsonValue& value, const dvec3& point, const Scene& scene) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double half = scene.half_extent[static_cast<int>(axis)];
-        if (std::abs(point[static_cast<int>(axis)]) > half) {
-            value.element(axis).refuse("a place inside the box, from " + shortest_text(-half) + " to " +
-                                       shortest_text(half) + " m");
+    for (int axis = 0; axis < 3; ++axis) {
+        const double half = scene.half_extent[axis];
+        if (std::abs(point[axis]) > half) {
+            value.element(static_cast<std::size_t>(axis)).refuse(inside_text(half));
         }
     }
 }
 
-BallSpec read_ball(const JsonValue& ball, const Scene& scene) {
+// All that one ball can be asked without the rest of the scene, which may stand behind it in the file.
+BallSpec read_ball(const JsonValue& ball) {
     ball.expect_object({"position", "velocity", "radius", "mass", "restitution"});
     BallSpec spec;
-    spec.position = ball.required("position").vector();
-    expect_inside(ball.required("position"), spec.position, scene);
+    spec.position = ball.required("position").vector_between(-largest_number, largest_number, "m");
     if (const auto velocity = ball.optional("velocity")) {
-        spec.velocity = velocity->vector_between(-largest_speed, largest_speed, "m/s");
+        spec.velocity = velocity->vector_between(-largest_number, largest_number, "m/s");
     }
     spec.radius = ball.required("radius").number_between(smallest_length, largest_length, "m");
     spec.mass = ball.required("mass").number_between(smallest_mass, largest_mass, "kg");
     if (const auto restitution = ball.optional("restitution")) {
-        spec.restitution = read_restitution(*restitution);
-        if (!scene.settings.laws.contact) {
-            restitution->refuse("a law 'contact' beside a ball's restitution", "none");
-        }
+        spec.restitution = read_setting(*restitution, "restitution");
     }
     return spec;
 }
 
-void read_balls(const JsonValue& balls, Scene& scene) {
-    const std::size_t count = balls.expect_array();
-    if (count > maximum_balls) {
-        balls.refuse("at most " + std::to_string(maximum_balls) + " balls");
+[[noreturn]] void refuse_ball(const std::string& file, std::size_t ball, const std::string& place,
+                              const std::string& expected, const std::string& found) {
+    throw InputError(file + ", /balls/" + std::to_string(ball) + place + ": expected " + expected + ", found " + found);
+}
+
+// Where a scene may start; in a saved moment balls are wherever their motion took them.
+void check_start(const Scene& scene, std::size_t ball, const std::string& file) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double half = scene.half_extent[axis];
+        const double position = scene.balls[ball].position[axis];
+        const double velocity = scene.balls[ball].velocity[axis];
+        if (std::abs(position) > half) {
+            refuse_ball(file, ball, "/position/" + std::to_string(axis), inside_text(half), shortest_text(position));
+        }
+        if (std::abs(velocity) > largest_speed) {
+            refuse_ball(file, ball, "/velocity/" + std::to_string(axis),
+                        range_text(-largest_speed, largest_speed, "m/s"), shortest_text(velocity));
+        }
     }
-    scene.balls.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        scene.balls.push_back(read_ball(balls.element(i), scene));
+}
+
+void check_balls(const Scene& scene, const std::string& file) {
+    const bool touch = scene.settings.laws.contact || scene.settings.laws.walls;
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        if (!scene.resume) {
+            check_start(scene, i, file);
+        }
+        if (scene.balls[i].restitution && !touch) {
+            refuse_ball(file, i, "/restitution", "a law 'contact' or 'walls' beside a ball's restitution", "none");
+        }
     }
 }
 
@@ -201,13 +138,20 @@ std::string read_file(const std::filesystem::path& path) {
     if (!stream) {
         throw InputError(file + ": expected a scene file, found none that can be read");
     }
-    std::string text;
-    std::array<char, 1 << 16> block{};
-    while (stream.read(block.data(), block.size()), stream.gcount() > 0) {
-        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-        if (text.size() > largest_file) {
-            throw InputError(file + ": expected a scene file of at most 64 MiB, found a larger one");
+    const auto expect_size = [&](std::uintmax_t size) {
+        if (size > largest_file) {
+            throw InputError(file + ": expected a scene file of at most 1 GiB, found a larger one");
         }
+    };
+    std::string text;
+    if (const auto size = std::filesystem::file_size(path, ignored); !ignored) {  // a pipe has none
+        expect_size(size);
+        text.reserve(static_cast<std::size_t>(size));
+    }
+    std::vector<char> block(1u << 16);
+    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())), stream.gcount() > 0) {
+        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+        expect_size(text.size());
     }
     if (stream.bad()) {
         throw InputError(file + ": expected a scene file, found one that cannot be read to its end");
@@ -215,13 +159,10 @@ std::string read_file(const std::filesystem::path& path) {
     return text;
 }
 
-}  // namespace
-
-Scene parse_scene(std::string_view text, const std::string& file) {
-    const nlohmann::json tree = parse_json(text, file);
-    const JsonValue root(tree, file);
-    root.expect_object({"name", "about", "box", "laws", "time", "balls", "fill"});
-    Scene scene;
+void read_title(const JsonValue& root, Scene& scene) {
+    if (const auto schema = root.optional("$schema")) {
+        schema->string();  // for editors
+    }
     scene.name = root.required("name").string();
     if (scene.name.empty()) {
         root.required("name").refuse("a name");
@@ -229,16 +170,39 @@ Scene parse_scene(std::string_view text, const std::string& file) {
     if (const auto about = root.optional("about")) {
         scene.about = about->string();
     }
+}
+
+void read_section(const JsonValue& root, std::string_view key, void (*read)(const JsonValue&, Scene&), Scene& scene) {
+    if (const auto section = root.optional(key)) {
+        read(*section, scene);
+    }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& file) {
+    Scene scene;
+    const StreamedList balls{"balls", [&scene](const JsonValue& ball) {
+                                 if (scene.balls.size() == maximum_balls) {
+                                     ball.refuse("at most " + std::to_string(maximum_balls) + " balls", "one more");
+                                 }
+                                 scene.balls.push_back(read_ball(ball));
+                             }};
+    const nlohmann::json tree = parse_json(text, file, balls);
+    const JsonValue root(tree, file);
+    root.expect_object(
+        {"$schema", "name", "about", "box", "laws", "time", "compute", "balls", "fill", "resume", "bounds"});
+    read_title(root, scene);
     read_box(root.required("box"), scene);
-    if (const auto laws = root.optional("laws")) {
-        read_laws(*laws, scene);
+    read_section(root, "laws", read_laws, scene);
+    read_section(root, "time", read_time, scene);
+    read_section(root, "compute", read_compute, scene);
+    read_section(root, "resume", read_resume, scene);
+    read_section(root, "bounds", read_bounds, scene);
+    if (const auto list = root.optional("balls")) {
+        list->expect_array();
     }
-    if (const auto time = root.optional("time")) {
-        read_time(*time, scene.settings);
-    }
-    if (const auto balls = root.optional("balls")) {
-        read_balls(*balls, scene);
-    }
+    check_balls(scene, file);
     if (const auto fill = root.optional("fill")) {
         scene.fill = read_fill(*fill, scene);
     }

@@ -13,7 +13,7 @@ namespace ballpit {
 /// column of broken JSON, else the JSON pointer), what was expected there and what was found.
 Scene parse_scene(std::string_view text, const std::string& file);
 
-/// Reads the file and parses it. Throws InputError also for a file that cannot be read or exceeds 64 MiB.
+/// Reads the file and parses it. Throws InputError also for a file that cannot be read or exceeds 1 GiB.
 Scene load_scene(const std::filesystem::path& path);
 
 }  // namespace ballpit
