@@ -32,6 +32,7 @@ app::Session make_session(std::string_view scene, std::uint32_t balls, std::uint
     options.settings = options.scene.settings;
     options.settings.balls = balls;
     options.settings.substeps = substeps;
+    options.settings.neighbours = NeighbourSearch::grid;  // there are cells to look into, also where balls are few
     options.seed = test::seed_of(options.scene);
     options.backend = "cpu";
     return app::Session(options, false, "");

@@ -16,8 +16,8 @@ void read_box(const JsonValue& box, Scene& scene);
 void read_laws(const JsonValue& laws, Scene& scene);
 void read_time(const JsonValue& time, Scene& scene);
 void read_compute(const JsonValue& compute, Scene& scene);
-void read_resume(const JsonValue& resume, Scene& scene);
-void read_bounds(const JsonValue& bounds, Scene& scene);
+void read_resume(const JsonValue& value, Scene& scene);
+void read_bounds(const JsonValue& value, Scene& scene);
 
 /// A number in the range of the setting with this key.
 double read_setting(const JsonValue& value, std::string_view key);
