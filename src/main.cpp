@@ -46,7 +46,7 @@ int run(const app::Options& options) {
         case app::Command::bench:
             return app::run_bench(options);
         case app::Command::scenes:
-            return app::run_scenes();
+            return options.ledger ? app::run_ledger(options) : app::run_scenes();
         case app::Command::settings:
             return app::run_settings();
     }

@@ -7,6 +7,7 @@
 #include "support/catch.h"
 #include "support/gl_fixture.h"
 #include "support/gpu_backend.h"
+#include "support/law_scenes.h"
 
 using namespace ballpit;
 using test::GlFixture;
@@ -102,6 +103,45 @@ TEST_CASE_METHOD(GlFixture, "every integrator and every set of laws agrees with 
             CAPTURE(integrator_names[integrator], laws);
             check_scene(scene, settings, 0, 1);
         }
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "walls that move, a shaken box, a pulled ball and balls that differ agree with the mirror",
+                 "[gpu-check]") {
+    for (std::size_t integrator = 0; integrator < integrator_names.size(); ++integrator) {
+        for (unsigned parts = 0; parts < 32; ++parts) {
+            Scene scene = test::scene_with("gravity,drag,restitution,walls", 100);
+            Settings& settings = scene.settings;
+            scene.half_extent = dvec3(0.5);
+            scene.fill->region = {dvec3(-0.4), dvec3(0.4)};
+            settings.substeps = 2;
+            settings.integrator = static_cast<Integrator>(integrator);
+            settings.laws.contact = (parts & 1u) != 0;
+            settings.laws.shake = (parts & 2u) != 0;
+            settings.walls_low = (parts & 4u) != 0 ? dvec3(0.3, 0.0, -0.2) : dvec3(0.0);
+            settings.pull = (parts & 8u) != 0 ? std::optional(Pull{17, {0.1, 0.2, 2.0}}) : std::nullopt;
+            if ((parts & 16u) != 0) {
+                scene.fill->radius = {0.05, 0.1};
+            } else {
+                settings.laws.unequal_radii = (parts & 4u) != 0;
+                settings.laws.unequal_masses = (parts & 2u) != 0;
+            }
+            CAPTURE(integrator_names[integrator], parts);
+            check_scene(scene, settings, 2, 1);
+        }
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "balls that are thrown in agree with the mirror", "[gpu-check]") {
+    for (const char* laws : {"gravity,drag", "gravity,contact,restitution,walls", "gravity"}) {
+        const Scene scene = test::scene_with(laws, 63);
+        Simulation simulation(scene, scene.settings, 1, test::gpu_backend());
+        simulation.step();
+        simulation.apply(AddBalls{
+            {{{0, 0, 0}, {1, 2, 3}, 0.3, 9.0, std::nullopt}, {{0.1, 0, 0}, {1, 2, 3}, 0.1, 1.0, std::nullopt}}});
+        CAPTURE(laws);
+        cpu::CpuBackend<float> mirror;
+        expect_agreement(measure::check(simulation, mirror, 2), test::rounds_like_the_cpu(simulation.backend()));
     }
 }
 

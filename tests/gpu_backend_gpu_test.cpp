@@ -42,6 +42,8 @@ TEST_CASE_METHOD(GlFixture, "the GPU hashes its state", "[gpu-backend]") {
     test::hashes_the_state(*test::gpu_backend());
 }
 
+TEST_CASE_METHOD(GlFixture, "the GPU works in place", "[gpu-backend]") { test::works_in_place(*test::gpu_backend()); }
+
 TEST_CASE_METHOD(GlFixture, "drawing gets the buffer that holds the state", "[gpu-backend]") {
     const auto backend = test::gpu_backend();
     const BallState state = test::placed_balls(test::Placement::uniform, 100);

@@ -23,6 +23,12 @@ TEST_CASE_METHOD(GlFixture, "GPU: back in every unit from every dispatch gives t
     }
 }
 
+TEST_CASE_METHOD(GlFixture, "GPU: whatever was done on the way, back and forth give the bytes of the way there",
+                 "[stepper]") {
+    Simulation simulation = stepping_simulation(gpu_backend(), SortMethod::bitonic_fused);
+    check_changes_at_every_position(simulation);
+}
+
 TEST_CASE_METHOD(GlFixture, "GPU: 300 steps with changes on the way, back and forth, end on the same hash",
                  "[stepper]") {
     Simulation simulation = stepping_simulation(gpu_backend(), SortMethod::bitonic_fused);

@@ -33,6 +33,11 @@ TEST_CASE("back in every unit from every dispatch gives the bytes of the way the
     }
 }
 
+TEST_CASE("whatever was done on the way, back and forth give the bytes of the way there", "[stepper]") {
+    Simulation simulation = stepping_simulation(mirror(), SortMethod::bitonic_fused);
+    check_changes_at_every_position(simulation);
+}
+
 TEST_CASE("300 steps with changes on the way, back and forth, end on the same hash", "[stepper]") {
     Simulation simulation = stepping_simulation(mirror(), SortMethod::bitonic_fused);
     check_long_way(simulation, 300);

@@ -9,6 +9,7 @@ int run_headless(const Options& options);
 int run_check(const Options& options);
 int run_bench(const Options& options);
 int run_scenes();
+int run_ledger(const Options& options);
 int run_settings();
 
 }  // namespace ballpit::app

@@ -96,6 +96,15 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
     return bench;
 }
 
+CLI::App* add_scenes(CLI::App& app, Options& options) {
+    CLI::App* scenes = app.add_subcommand("scenes", "List the scenes");
+    auto* ledger = scenes->add_flag("--ledger", options.ledger,
+                                    "What a substep of each scene costs in bytes, dispatches and barriers, and what it "
+                                    "does without");
+    scenes->add_option("--json", options.json, "Ledger as JSON to a file, or - for standard output")->needs(ledger);
+    return scenes;
+}
+
 }  // namespace
 
 std::optional<Options> parse_options(int argc, const char* const* argv) {
@@ -109,7 +118,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         {add_headless(app, options), Command::headless},
         {add_check(app, options), Command::check},
         {add_bench(app, options), Command::bench},
-        {app.add_subcommand("scenes", "List the scenes"), Command::scenes},
+        {add_scenes(app, options), Command::scenes},
         {app.add_subcommand("settings", "List the settings: unit, range, default"), Command::settings},
     };
     try {

@@ -35,6 +35,9 @@ struct Options {
     std::vector<std::uint32_t> substeps;
     std::vector<std::string> sort;
 
+    // scenes
+    bool ledger = false;
+
     // reports; "-" is standard output
     std::string json;
     std::string csv;

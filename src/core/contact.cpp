@@ -51,4 +51,16 @@ double damping_ratio_from_restitution(double e, bool limit_force) {
     return 0.5 * (low + high);
 }
 
+std::vector<float> damping_ratios_of(std::span<const double> restitutions, bool limit_force) {
+    std::vector<float> ratios;
+    ratios.reserve(restitutions.size());
+    for (std::size_t i = 0; i < restitutions.size(); ++i) {
+        // Most balls have the restitution of the ball before.
+        ratios.push_back(i > 0 && restitutions[i] == restitutions[i - 1]
+                             ? ratios.back()
+                             : static_cast<float>(damping_ratio_from_restitution(restitutions[i], limit_force)));
+    }
+    return ratios;
+}
+
 }  // namespace ballpit

@@ -3,6 +3,9 @@
 // which depends on e alone: one number serves every pair of masses.
 #pragma once
 
+#include <span>
+#include <vector>
+
 namespace ballpit {
 
 /// Smallest restitution that the explicit dashpot can be asked for (zeta 1.95 when the force is limited).
@@ -15,5 +18,8 @@ double restitution_from_damping_ratio(double zeta, bool limit_force);
 
 /// Inverse of the above, by bisection to 1e-15 in zeta. e >= 1 gives 0. Expects e >= minimum_restitution.
 double damping_ratio_from_restitution(double e, bool limit_force);
+
+/// One for each ball, rounded to single: what the shaders read.
+std::vector<float> damping_ratios_of(std::span<const double> restitutions, bool limit_force);
 
 }  // namespace ballpit

@@ -6,20 +6,9 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/scene_schedule.h"
 
 namespace ballpit {
-
-namespace {
-
-double largest_radius(const std::vector<vec4>& positions) {
-    float largest = 0.0f;
-    for (const vec4& p : positions) {
-        largest = std::max(largest, p.w);
-    }
-    return static_cast<double>(largest);
-}
-
-}  // namespace
 
 Simulation::Simulation(Scene scene, const Settings& settings, std::uint64_t seed, std::unique_ptr<Backend> backend)
     : backend_(std::move(backend)) {
@@ -60,22 +49,26 @@ void Simulation::load_world(World world) {
 void Simulation::load_state(const BallState& state) {
     restitutions_ = ball_restitutions(scene_, settings_, state.count());
     velocity_lag_ = state.velocity_lag;
-    largest_radius_ = largest_radius(state.positions);
+    largest_radius_ = largest_radius(state);
     variety_ = variety_of({state.positions, state.velocities, restitutions_, velocity_lag_});
     set_schedule(state.count());
-    backend_->load({state.positions, state.velocities, restitutions_, velocity_lag_}, schedule_, settings_.limit_force);
+    load_backend(*backend_, {state.positions, state.velocities, restitutions_, velocity_lag_});
+}
+
+// Restitutions that no law asks for are remembered here, but not on the device.
+void Simulation::load_backend(Backend& backend, BallState state) const {
+    if (!schedule_.features.has(Feature::ball_restitution)) {
+        state.restitutions.clear();
+    }
+    backend.load(state, schedule_, settings_.limit_force);
 }
 
 Features Simulation::wanted_features(const Settings& settings) const {
     return features_of(settings, variety_, ballpit::walls_move(walls_, settings, scene_box_, wall_room()));
 }
 
-// The grid covers the box of the scene and the one that is wanted, wherever the walls are between the two: the order of
-// the cells, and with it every bit, must not depend on how a moment was reached. Balls beyond have its outermost cells.
 void Simulation::set_schedule(std::uint32_t ball_count) {
-    const Box wanted = shifted(scene_box_, {settings_.walls_low, settings_.walls_high, dvec3(0.0), 0.0});
-    const Grid grid = make_grid(united(scene_box_, wanted), largest_radius_, settings_.cell_factor, ball_count);
-    schedule_ = make_schedule(ball_count, grid, wanted_features(settings_), settings_.sort);
+    schedule_ = scene_schedule(settings_, scene_box_, walls_, largest_radius_, variety_, ball_count);
     ++schedule_changes_;
 }
 
@@ -236,8 +229,7 @@ void Simulation::apply(const Change& change) {
 }
 
 void Simulation::use(std::unique_ptr<Backend> backend) {
-    const BallState state = raw_state();
-    backend->load(state, schedule_, settings_.limit_force);
+    load_backend(*backend, raw_state());
     backend_ = std::move(backend);
 }
 
@@ -247,7 +239,7 @@ BallState Simulation::raw_state() {
 }
 
 BallState Simulation::synchronised_state() {
-    const BallState state = raw_state();
+    BallState state = raw_state();
     if (velocity_lag_ == 0.0 || schedule_.dispatches.empty()) {
         return state;
     }
@@ -257,15 +249,14 @@ BallState Simulation::synchronised_state() {
     const auto before = schedule_.in_place ? backend_->save() : nullptr;
     const Bytes status = backend_->read(Slot::status);
     backend_->run(schedule_, params, 0, schedule_.dispatches.size());  // a kick without a drift: not a substep
-    BallState kicked = state;
-    kicked.velocities = read_slot<vec4>(*backend_, schedule_.in_place ? Slot::velocities : Slot::next_velocities);
-    kicked.velocity_lag = 0.0;
+    state.velocities = read_slot<vec4>(*backend_, schedule_.in_place ? Slot::velocities : Slot::next_velocities);
+    state.velocity_lag = 0.0;
     if (before != nullptr) {
         backend_->restore(*before, schedule_);
     } else {
         backend_->write(Slot::status, status);  // what the kick counted does not count
     }
-    return kicked;
+    return state;
 }
 
 }  // namespace ballpit

@@ -23,7 +23,7 @@ struct Checkpoint {
     double largest_radius = 0.0;
     Variety variety;
     double velocity_lag = 0.0;
-    std::vector<float> restitutions;
+    std::vector<double> restitutions;
     std::uint32_t overlapping = 0;
     std::uint32_t added = 0;
     std::uint64_t step_count = 0;
@@ -87,7 +87,7 @@ public:
     const WallShift& wall_shift() const { return walls_; }
     const Variety& variety() const { return variety_; }
     double velocity_lag() const { return velocity_lag_; }
-    const std::vector<float>& restitutions() const { return restitutions_; }  // a ball each, or empty
+    const std::vector<double>& restitutions() const { return restitutions_; }  // a ball each, or empty
     std::uint32_t added() const { return added_; }                            // balls beyond those of the scene
     /// Another number: another schedule.
     std::uint64_t schedule_changes() const { return schedule_changes_; }
@@ -103,6 +103,7 @@ public:
 private:
     void load_world(World world);
     void load_state(const BallState& state);
+    void load_backend(Backend& backend, BallState state) const;
     bool walls_move() const { return ballpit::walls_move(walls_, settings_, scene_box_, wall_room()); }
     Features wanted_features(const Settings& settings) const;
     void set_schedule(std::uint32_t ball_count);
@@ -124,7 +125,7 @@ private:
     double largest_radius_ = 0.0;
     Variety variety_;
     double velocity_lag_ = 0.0;
-    std::vector<float> restitutions_;
+    std::vector<double> restitutions_;
     std::uint32_t overlapping_ = 0;
     std::uint32_t added_ = 0;
     std::uint64_t step_count_ = 0;

@@ -136,15 +136,23 @@ Variety variety_of(const BallState& balls) {
     return variety;
 }
 
-std::vector<float> ball_restitutions(const Scene& scene, const Settings& settings, std::uint32_t count) {
+double largest_radius(const BallState& balls) {
+    float largest = 0.0f;
+    for (const vec4& position : balls.positions) {
+        largest = std::max(largest, position.w);
+    }
+    return static_cast<double>(largest);
+}
+
+std::vector<double> ball_restitutions(const Scene& scene, const Settings& settings, std::uint32_t count) {
     const bool own = std::ranges::any_of(scene.balls, [](const BallSpec& b) { return b.restitution.has_value(); });
     if (!own && !settings.laws.ball_restitution) {
         return {};
     }
     const double others = settings.laws.restitution ? settings.restitution : 1.0;
-    std::vector<float> restitutions(count, static_cast<float>(others));
+    std::vector<double> restitutions(count, others);
     for (std::size_t i = 0; i < std::min<std::size_t>(count, scene.balls.size()); ++i) {
-        restitutions[i] = static_cast<float>(scene.balls[i].restitution.value_or(others));
+        restitutions[i] = scene.balls[i].restitution.value_or(others);
     }
     return restitutions;
 }

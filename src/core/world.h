@@ -15,10 +15,13 @@ struct World {
 
 /// The restitution of each ball: its own, else the scene's as it is set now. Empty where no ball has its own and the
 /// law is not asked for.
-std::vector<float> ball_restitutions(const Scene& scene, const Settings& settings, std::uint32_t count);
+std::vector<double> ball_restitutions(const Scene& scene, const Settings& settings, std::uint32_t count);
 
 /// In what these balls differ.
 Variety variety_of(const BallState& balls);
+
+/// m; 0 without balls.
+double largest_radius(const BallState& balls);
 
 /// Appends a ball; values are rounded to single. Restitutions are those of ball_restitutions.
 void add_ball(BallState& balls, const BallSpec& spec);

@@ -85,12 +85,9 @@ template <class Real>
 void CpuBackend<Real>::load(const BallState& state, const Schedule& schedule, bool limit_force) {
     positions_.assign(state.positions.begin(), state.positions.end());
     velocities_.assign(state.velocities.begin(), state.velocities.end());
-    damping_ratios_.clear();
-    for (const float e : state.restitutions) {
-        // Rounded to float for the reference too: it answers the same question as the mirror.
-        const auto zeta = static_cast<float>(damping_ratio_from_restitution(static_cast<double>(e), limit_force));
-        damping_ratios_.push_back(static_cast<Real>(zeta));
-    }
+    // Rounded to float for the reference too: it answers the same question as the mirror.
+    const std::vector<float> ratios = damping_ratios_of(state.restitutions, limit_force);
+    damping_ratios_.assign(ratios.begin(), ratios.end());
     status_ = {};
     make_next(schedule);
     reschedule(schedule);

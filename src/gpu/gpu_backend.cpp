@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "gl/debug.h"
 #include "gl/error.h"
+#include "gpu/barriers.h"
 
 namespace ballpit::gpu {
 
@@ -33,14 +34,6 @@ std::string gl_text(GLenum name) {
     return text == nullptr ? "" : text;
 }
 
-std::vector<float> damping_ratios_of(const BallState& state, bool limit_force) {
-    std::vector<float> ratios;
-    for (const float e : state.restitutions) {
-        ratios.push_back(static_cast<float>(damping_ratio_from_restitution(static_cast<double>(e), limit_force)));
-    }
-    return ratios;
-}
-
 }  // namespace
 
 GpuBackend::GpuBackend(std::filesystem::path shader_folder)
@@ -53,24 +46,6 @@ GpuBackend::GpuBackend(std::filesystem::path shader_folder)
 std::string GpuBackend::device() const { return gl_text(GL_RENDERER); }
 
 std::string GpuBackend::driver() const { return gl_text(GL_VERSION); }
-
-std::size_t GpuBackend::physical(Slot slot) const {
-    if (swapped_) {
-        switch (slot) {
-            case Slot::positions:
-                return static_cast<std::size_t>(Slot::next_positions);
-            case Slot::velocities:
-                return static_cast<std::size_t>(Slot::next_velocities);
-            case Slot::next_positions:
-                return static_cast<std::size_t>(Slot::positions);
-            case Slot::next_velocities:
-                return static_cast<std::size_t>(Slot::velocities);
-            default:
-                break;
-        }
-    }
-    return static_cast<std::size_t>(slot);
-}
 
 void GpuBackend::reserve(Slot slot, std::size_t bytes) {
     GLint64 limit = 0;
@@ -97,7 +72,7 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     reserve(Slot::velocities, state_bytes);
     reserve(Slot::next_positions, schedule.in_place ? 0 : state_bytes);
     reserve(Slot::next_velocities, schedule.in_place ? 0 : state_bytes);
-    const std::vector<float> ratios = damping_ratios_of(state, limit_force);
+    const std::vector<float> ratios = damping_ratios_of(state.restitutions, limit_force);
     reserve(Slot::damping_ratios, ratios.size() * sizeof(float));
     reserve(Slot::status, sizeof(Status));
     reschedule(schedule);
@@ -125,14 +100,15 @@ void GpuBackend::reschedule(const Schedule& schedule) {
     }
 }
 
-void GpuBackend::barrier(GLbitfield bits) {
-    if (bits != 0) {
-        glMemoryBarrier(bits);
-        barriers_.issued(bits);
+void GpuBackend::barrier(Uses uses) {
+    if (uses != 0) {
+        glMemoryBarrier(barrier_bits(uses));
+        hazards_.issued(uses);
+        ++barriers_issued_;
     }
 }
 
-void GpuBackend::use(Slot slot, Use use) { barrier(barriers_.before_use(physical(slot), use)); }
+void GpuBackend::use(Slot slot, Use use) { barrier(hazards_.before_use(slot, use)); }
 
 void GpuBackend::run_dispatch(const Dispatch& dispatch, const ShaderParams& params) {
     const gl::DebugGroup group(dispatch.name);
@@ -142,23 +118,14 @@ void GpuBackend::run_dispatch(const Dispatch& dispatch, const ShaderParams& para
     if (compiled.dispatch_constants >= 0) {
         glUniform4uiv(compiled.dispatch_constants, 1, dispatch.constants.data());
     }
-    GLbitfield bits = 0;
-    for (const Slot slot : dispatch.reads) {
-        bits |= barriers_.before_use(physical(slot), Use::storage);
-        buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
+    for (const std::vector<Slot>* slots : {&dispatch.reads, &dispatch.writes}) {
+        for (const Slot slot : *slots) {
+            buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
+        }
     }
-    for (const Slot slot : dispatch.writes) {
-        bits |= barriers_.before_write(physical(slot));
-        buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
-    }
-    barrier(bits);
+    barrier(hazards_.before(dispatch));
     glDispatchCompute(dispatch.groups.x, dispatch.groups.y, 1);
-    for (const Slot slot : dispatch.reads) {
-        barriers_.shader_reads(physical(slot));
-    }
-    for (const Slot slot : dispatch.writes) {
-        barriers_.shader_writes(physical(slot));
-    }
+    hazards_.ran(dispatch);
 }
 
 void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
@@ -183,7 +150,7 @@ void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& para
     }
 }
 
-void GpuBackend::swap_states() { swapped_ = !swapped_; }
+void GpuBackend::swap_states() { hazards_.swap_states(); }
 
 std::unique_ptr<SavedState> GpuBackend::save() {
     auto state =
@@ -223,8 +190,8 @@ void GpuBackend::request_hash(std::uint64_t tag) {
     use(Slot::velocities, Use::storage);
     hasher_.request(tag, buffer(Slot::positions), buffer(Slot::velocities),
                     static_cast<std::uint32_t>(used_bytes_[physical(Slot::positions)] / sizeof(vec4)));
-    barriers_.shader_reads(physical(Slot::positions));
-    barriers_.shader_reads(physical(Slot::velocities));
+    hazards_.shader_reads(Slot::positions);
+    hazards_.shader_reads(Slot::velocities);
 }
 
 Bytes GpuBackend::read(Slot slot) {
@@ -266,7 +233,7 @@ std::vector<StageTimes> GpuBackend::take_times() {
 void GpuBackend::finish() { glFinish(); }
 
 const gl::Buffer& GpuBackend::buffer_for_drawing(Slot slot) {
-    barrier(barriers_.before_use(physical(slot), Use::vertex) | barriers_.before_use(physical(slot), Use::texture));
+    barrier(hazards_.before_use(slot, Use::vertex) | hazards_.before_use(slot, Use::texture));
     return buffer(slot);
 }
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "core/backend.h"
+#include "core/hazards.h"
 #include "gl/buffer.h"
 #include "gl/readback.h"
 #include "gl/timer.h"
-#include "gpu/barriers.h"
 #include "gpu/programs.h"
 #include "gpu/state_hasher.h"
 
@@ -44,21 +44,23 @@ public:
     const gl::Buffer& buffer_for_drawing(Slot slot);
     /// Bytes of all buffers on the device.
     std::size_t allocated_bytes() const;
+    /// How often glMemoryBarrier was called, since the backend was made.
+    std::uint64_t barriers_issued() const { return barriers_issued_; }
 
 private:
     // A slot names a role, a physical buffer plays it: collide's output becomes the input by a change of roles.
-    std::size_t physical(Slot slot) const;
+    std::size_t physical(Slot slot) const { return hazards_.physical(slot); }
     gl::Buffer& buffer(Slot slot) { return buffers_[physical(slot)]; }
     void reserve(Slot slot, std::size_t bytes);
-    void barrier(GLbitfield bits);
+    void barrier(Uses uses);
     void use(Slot slot, Use use);
     void run_dispatch(const Dispatch& dispatch, const ShaderParams& params);
 
     Programs programs_;
     std::array<gl::Buffer, slot_count> buffers_;
     std::array<std::size_t, slot_count> used_bytes_{};
-    Barriers<slot_count> barriers_;
-    bool swapped_ = false;
+    Hazards hazards_;
+    std::uint64_t barriers_issued_ = 0;
     std::array<gl::Readback, slot_count> readbacks_;
     StateHasher hasher_;
     bool timing_ = false;

@@ -20,6 +20,7 @@ public:
 
     /// Binds the block, with these values.
     void bind(const ShaderParams& params);
+    std::size_t count() const { return fields_.size(); }
     std::size_t bytes() const { return bytes_.size(); }
 
 private:

@@ -54,7 +54,7 @@ void reads_what_was_loaded(Backend& backend) {
     for (const std::uint32_t count : {0u, 1u, 64u, 65u, 1000u}) {
         BallState state = some_balls(count);
         for (std::uint32_t i = 0; i < count; ++i) {
-            state.restitutions.push_back(random_between(0.1f, 1.0f, 10, i));
+            state.restitutions.push_back(static_cast<double>(random_between(0.1f, 1.0f, 10, i)));
         }
         const SubstepSetup setup = some_setup(state);
         for (const bool limit_force : {true, false}) {
@@ -65,7 +65,7 @@ void reads_what_was_loaded(Backend& backend) {
             const auto ratios = read_slot<float>(backend, Slot::damping_ratios);
             REQUIRE(ratios.size() == count);
             for (std::uint32_t i = 0; i < count; ++i) {
-                const auto e = static_cast<double>(state.restitutions[i]);
+                const double e = state.restitutions[i];
                 REQUIRE(ratios[i] == static_cast<float>(damping_ratio_from_restitution(e, limit_force)));
             }
             CHECK(backend.read(Slot::keys).size() == setup.schedule.key_count * sizeof(Key));
@@ -209,7 +209,7 @@ void status_adds_up(Backend& backend) {
 
 void saves_and_restores(Backend& backend) {
     BallState state = some_balls(300);
-    state.restitutions.assign(300, 0.5f);
+    state.restitutions.assign(300, 0.5);
     const SubstepSetup setup = some_setup(state);
     backend.load(state, setup.schedule, true);
     run_substep(backend, setup);  // so that the roles of the buffers are exchanged
@@ -255,6 +255,55 @@ void hashes_the_state(Backend& backend) {
             CHECK(hashes[i].tag == 100 + i);
             CHECK(hashes[i].hash == expected[i]);
         }
+    }
+}
+
+void works_in_place(Backend& backend) {
+    Features fall;
+    fall.add(Feature::gravity);
+    const BallState state = some_balls(300);
+    const SubstepSetup setup = setup_for(state, fall, SortMethod::bitonic_fused);
+    const SubstepSetup touching = some_setup(state);
+    REQUIRE(setup.schedule.in_place);
+    const auto substep = [&] { backend.run(setup.schedule, setup.params, 0, setup.schedule.dispatches.size()); };
+    const auto has_one_state = [&] {
+        return backend.read(Slot::next_positions).empty() && backend.read(Slot::next_velocities).empty() &&
+               backend.read(Slot::keys).empty() && backend.read(Slot::cell_ranges).empty();
+    };
+    for (const bool after_contacts : {false, true}) {  // also where the roles of the state were exchanged before
+        if (after_contacts) {
+            backend.load(state, touching.schedule, true);
+            run_substep(backend, touching);
+        }
+        backend.load(state, setup.schedule, true);
+        CHECK(has_one_state());
+        CHECK((read_slot<vec4>(backend, Slot::positions) == state.positions));
+        substep();
+        const auto saved = backend.save();
+        const std::uint64_t at_save = hash_of(backend);
+        CHECK(at_save != hash_state(state));
+        substep();
+        const std::uint64_t ahead = hash_of(backend);
+        backend.restore(*saved, setup.schedule);
+        CHECK(has_one_state());
+        CHECK(hash_of(backend) == at_save);
+        substep();
+        CHECK(hash_of(backend) == ahead);
+        // What was saved in place goes on with contacts, and the other way round.
+        backend.restore(*saved, touching.schedule);
+        CHECK(hash_of(backend) == at_save);
+        CHECK(backend.read(Slot::next_positions).size() == 300 * sizeof(vec4));
+        run_substep(backend, touching);
+        const auto pushed = backend.save();
+        const std::uint64_t with_contacts = hash_of(backend);
+        backend.restore(*pushed, setup.schedule);
+        CHECK(has_one_state());
+        CHECK(hash_of(backend) == with_contacts);
+        write_slot(backend, Slot::positions, state.positions);
+        CHECK((read_slot<vec4>(backend, Slot::positions) == state.positions));
+        backend.request(Slot::next_positions);
+        backend.request(Slot::positions);
+        CHECK(arrived(backend, Slot::positions)->size() == 300 * sizeof(vec4));
     }
 }
 

@@ -65,7 +65,7 @@ void collides_like_brute_force(Backend& backend, std::span<const std::uint32_t> 
                 compare_with_brute_force(backend, state, features, settings);
                 features.add(Feature::ball_restitution);
                 for (std::uint32_t ball = 0; ball < count; ++ball) {
-                    state.restitutions.push_back(random_between(0.1f, 1.0f, 9, ball));
+                    state.restitutions.push_back(static_cast<double>(random_between(0.1f, 1.0f, 9, ball)));
                 }
                 compare_with_brute_force(backend, state, features, settings);
             }

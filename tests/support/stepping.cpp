@@ -1,6 +1,7 @@
 #include "support/stepping.h"
 
 #include <array>
+#include <functional>
 #include <map>
 
 #include "core/stepper.h"
@@ -47,6 +48,52 @@ void check_bytes(const std::map<Position, AllSlots>& seen, const Position& at, B
     }
 }
 
+// What somebody does, given the scene as it is now.
+using Doing = std::function<Change(const Simulation&)>;
+
+template <class Edit>
+Doing settings_edit(Edit edit) {
+    return [edit](const Simulation& simulation) -> Change {
+        Settings settings = simulation.settings();
+        edit(settings);
+        return settings;
+    };
+}
+
+std::vector<Doing> all_doings() {
+    return {
+        settings_edit([](Settings& s) {
+            s.walls_low = {0.2, 0.0, 0.01};
+        }),
+        settings_edit([](Settings& s) { s.laws.shake = true; }),
+        [](const Simulation&) -> Change {
+            return AddBalls{{{{0.3, 0.1, 0.9}, {0, 0, -5}, 0.05, 20.0, std::nullopt},
+                             {{-0.3, 0.1, 0.9}, {0, 3, 0}, 0.25, 1.0, std::nullopt}}};
+        },
+        settings_edit([](Settings& s) {
+            s.pull = Pull{41, {0.5, 0.5, 0.5}};
+        }),
+        settings_edit([](Settings& s) {
+            s.pull->target = {-0.5, 0.5, 0.5};
+        }),
+        settings_edit([](Settings& s) { s.laws = parse_laws("gravity"); }),  // in place from here
+        settings_edit([](Settings& s) {
+            s.walls_high = {0.0, 0.0, -0.3};
+        }),
+        settings_edit([](Settings& s) { s.laws = parse_laws("drag,walls,restitution,shake"); }),
+        settings_edit([](Settings& s) { s.balls = 20; }),
+        settings_edit([](Settings& s) { s.laws = parse_laws("gravity,contact,walls,ball_restitution,diagnostics"); }),
+        settings_edit([](Settings& s) { s.pull.reset(); }),
+        settings_edit([](Settings& s) { s.integrator = Integrator::velocity_verlet; }),
+        settings_edit([](Settings& s) { s.neighbours = NeighbourSearch::brute_force; }),
+        [](const Simulation&) -> Change {
+            return AddBalls{{{{0.0, 0.0, 0.5}, {0, 0, -5}, 0.1, 1.0, std::nullopt}}};
+        },
+        settings_edit([](Settings& s) { s.balls = 45; }),
+        settings_edit([](Settings& s) { s.walls_low = dvec3(0.0); }),
+    };
+}
+
 }  // namespace
 
 Simulation stepping_simulation(std::unique_ptr<Backend> backend, SortMethod sort) {
@@ -79,6 +126,43 @@ void check_every_position(Simulation& simulation) {
             check_bytes(seen, stepper.position(), simulation.backend());
         }
     }
+    CHECK_FALSE(stepper.divergence());
+}
+
+void check_changes_at_every_position(Simulation& simulation) {
+    Stepper stepper(simulation, budget);
+    std::map<Position, AllSlots> seen;
+    const std::vector<Doing> doings = all_doings();
+    for (const Doing& doing : doings) {
+        stepper.change(doing(simulation));
+        seen[stepper.position()] = all_slots(simulation.backend());
+        const std::uint64_t until = simulation.step_count() + 2;
+        while (simulation.step_count() < until) {
+            stepper.forward(StepUnit::pass);
+            seen[stepper.position()] = all_slots(simulation.backend());
+        }
+    }
+    REQUIRE(seen.size() > 10 * doings.size());
+    const Position end = stepper.position();
+    const Box box = simulation.box();
+    while (stepper.position() > Position{{0, 0}, 1}) {
+        stepper.back(StepUnit::pass);
+        check_bytes(seen, stepper.position(), simulation.backend());
+    }
+    std::size_t index = 0;
+    for (const auto& [position, bytes] : seen) {
+        if (++index % 7 == 0) {
+            stepper.go_to(end);
+            stepper.go_to(position);
+            check_bytes(seen, position, simulation.backend());
+        }
+    }
+    stepper.go_to({});
+    stepper.go_to(end);
+    check_bytes(seen, end, simulation.backend());
+    CHECK(simulation.box() == box);
+    simulation.backend().finish();
+    stepper.update();
     CHECK_FALSE(stepper.divergence());
 }
 

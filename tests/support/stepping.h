@@ -14,6 +14,10 @@ Simulation stepping_simulation(std::unique_ptr<Backend> backend, SortMethod sort
 /// there.
 void check_every_position(Simulation& simulation);
 
+/// Everything that a user can do on the way: walls that move, a box that is shaken, a ball that is pulled, balls thrown
+/// in and taken away, laws ticked (in place and not), integrator, sort. Then forth and back over every dispatch.
+void check_changes_at_every_position(Simulation& simulation);
+
 /// 300 steps forth, changing settings on the way, back to the start, and forth again.
 void check_long_way(Simulation& simulation, std::uint64_t steps);
 
