@@ -158,6 +158,30 @@ class CommandLine(unittest.TestCase):
         for key in ("balls", "gravity", "drag", "stiffness", "restitution", "substeps", "dt", "integrator", "sort"):
             self.assertIn(key, settings.stdout)
 
+    def test_ledger(self):
+        """The smallest sets of passes and bytes, as the program tells them; a row a scene and what it does without."""
+        result = run("scenes", "--ledger", "--json", "ledger.json", folder=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        rows = {row["scene"]: row for row in json.loads((self.folder / "ledger.json").read_text())["rows"]}
+        scenes = {path.stem for path in (SOURCE / "assets" / "scenes").glob("*.json")} - {"scene.schema"}
+        self.assertEqual(set(rows), scenes)
+        lines = result.stdout.splitlines()
+        for name, row in rows.items():
+            with self.subTest(name):
+                place = next(i for i, line in enumerate(lines) if line.split()[:1] == [name])
+                self.assertEqual(lines[place].split()[1], str(row["balls"]))
+                self.assertEqual(lines[place + 1].strip(), ("without " + ", ".join(row["without"])).strip())
+                self.assertEqual(row["constants"] is None, not self.opengl)
+        fall = rows["free_fall"]
+        self.assertEqual((fall["dispatches"], fall["bytes_per_ball"], fall["sort_dispatches"]), (1, 32, 0))
+        self.assertEqual(fall["barriers"], {"before": 1, "within": 0})
+        self.assertTrue({"grid", "sort", "walls", "radius", "mass", "drag"} <= set(fall["without"]))
+        gas = rows["elastic_gas"]["without"]
+        self.assertTrue({"neighbours' velocities", "dashpot", "radius read", "gravity", "drag"} <= set(gas), gas)
+        self.assertTrue({"radius read", "mass read", "restitution per ball"} <= set(rows["pile"]["without"]))
+        self.assertNotIn("radius read", rows["mixed_sizes"]["without"])
+        self.refused(run("scenes", "--json", "-"), 2, "--ledger")
+
     # Files that are read besides the scene
 
     def test_missing_shader_folder(self):

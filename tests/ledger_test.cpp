@@ -62,6 +62,23 @@ TEST_CASE("an elastic gas has no dashpot, no gravity and no drag", "[ledger]") {
     CHECK(binds(schedule, Slot::cell_ranges));
 }
 
+TEST_CASE("a dispatch waits where it uses what an earlier one has written, and nowhere else", "[ledger]") {
+    // assign_cells waits for the state, the sort for the keys, build_grid for keys and cleared cells, collide for the
+    // ranges. clear_cells need not: an earlier barrier already covers the collide that read the cells.
+    const Schedule fused = schedule_of(test::mono_pile_scene(500));
+    REQUIRE(fused.dispatches.size() == 5);
+    CHECK(count_barriers(fused).before == 1);
+    CHECK(count_barriers(fused).within == 3);
+    Scene scene = test::mono_pile_scene(500);
+    scene.settings.sort = SortMethod::bitonic;
+    const Schedule passes = schedule_of(scene);
+    CHECK(count_barriers(passes).within == 2 + dispatches_of(passes, Stage::bitonic_sort));
+    scene.settings.neighbours = NeighbourSearch::brute_force;
+    CHECK(count_barriers(schedule_of(scene)).before == 1);
+    CHECK(count_barriers(schedule_of(scene)).within == 0);
+    CHECK(count_barriers(Schedule{}).before == 0);
+}
+
 TEST_CASE("a few balls without a grid have no keys and no cells", "[ledger]") {
     Scene scene = test::scene_with("contact", 5);
     scene.settings.neighbours = NeighbourSearch::brute_force;

@@ -25,7 +25,8 @@ using namespace ballpit;
 namespace {
 
 constexpr double shortest_sample_ms = 0.5;  // shorter ones would measure the clock
-constexpr double room_per_ball = 0.0072;    // m^3: close enough that each ball touches one or two
+constexpr double dense = 0.0072;            // m^3 a ball: close enough that each touches one or two
+constexpr double sparse = 0.05;             // where balls do not touch each other: quick to fill
 constexpr int settling_substeps = 50;
 
 struct Options {
@@ -44,7 +45,8 @@ struct Comparison {
 
 // The scene in a box that is as full at any count, without diagnostics.
 Scene sized(Scene scene) {
-    const double half = std::max(0.2, 0.5 * std::cbrt(room_per_ball * scene.settings.balls));
+    const double half =
+        std::max(0.2, 0.5 * std::cbrt((scene.settings.laws.contact ? dense : sparse) * scene.settings.balls));
     scene.half_extent = dvec3(half);
     scene.fill->region = {dvec3(-half), dvec3(half)};
     scene.settings.laws.diagnostics = false;
