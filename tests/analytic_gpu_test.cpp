@@ -48,9 +48,15 @@ TEST_CASE_METHOD(GlFixture, "A14 Newton's cradle on the GPU", "[gpu-physics]") {
 TEST_CASE_METHOD(GlFixture, "A15 oblique scattering on the GPU", "[gpu-physics]") {
     test::a15_oblique_scattering(machine());
 }
+TEST_CASE_METHOD(GlFixture, "A15 oblique with a dashpot on the GPU", "[gpu-physics]") {
+    test::a15_oblique_with_dashpot(machine());
+}
 TEST_CASE_METHOD(GlFixture, "A16 corner on the GPU", "[gpu-physics]") { test::a16_corner(machine()); }
 TEST_CASE_METHOD(GlFixture, "A25 forces of all neighbours on the GPU", "[gpu-physics]") {
     test::a25_neighbours(machine());
+}
+TEST_CASE_METHOD(GlFixture, "A25 cells of a scene on the GPU", "[gpu-physics]") {
+    test::a25_grid_of_a_scene(machine());
 }
 TEST_CASE_METHOD(GlFixture, "A26 mirror, rotation, permutation on the GPU", "[gpu-physics]") {
     test::a26_mirror_rotation_permutation(machine());

@@ -48,9 +48,15 @@ TEMPLATE_TEST_CASE("A14 Newton's cradle", "[physics]", float, double) { test::a1
 TEMPLATE_TEST_CASE("A15 oblique scattering", "[physics]", float, double) {
     test::a15_oblique_scattering(machine<TestType>());
 }
+TEMPLATE_TEST_CASE("A15 oblique with a dashpot", "[physics]", float, double) {
+    test::a15_oblique_with_dashpot(machine<TestType>());
+}
 TEMPLATE_TEST_CASE("A16 corner", "[physics]", float, double) { test::a16_corner(machine<TestType>()); }
 TEMPLATE_TEST_CASE("A25 forces of all neighbours", "[physics]", float, double) {
     test::a25_neighbours(machine<TestType>());
+}
+TEMPLATE_TEST_CASE("A25 cells of a scene", "[physics]", float, double) {
+    test::a25_grid_of_a_scene(machine<TestType>());
 }
 TEMPLATE_TEST_CASE("A26 mirror, rotation, permutation", "[physics]", float, double) {
     test::a26_mirror_rotation_permutation(machine<TestType>());

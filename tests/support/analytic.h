@@ -43,8 +43,10 @@ void a13_kicked_chain(const Machine& machine);
 void a14_newtons_cradle(const Machine& machine);
 
 void a15_oblique_scattering(const Machine& machine);
+void a15_oblique_with_dashpot(const Machine& machine);
 
 void a25_neighbours(const Machine& machine);
+void a25_grid_of_a_scene(const Machine& machine);
 
 void a26_mirror_rotation_permutation(const Machine& machine);
 void a26_translation_and_boost(const Machine& machine);

@@ -52,6 +52,8 @@ void a1_free_fall(const Machine& machine) {
         for (const Integrator integrator : every_integrator) {
             Scene scene = scene_of({ball({0, 0, 10}, {1, -2, 3})}, integrator, dt);
             scene.settings.laws.gravity = true;
+            scene.settings.substeps = 4;  // a step of four substeps of dt
+            scene.settings.dt = 4.0 * dt;
             Simulation simulation = start(machine, scene);
             const int steps = substeps_in(1.0, dt);
             run(simulation, steps);

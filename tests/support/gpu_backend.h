@@ -1,6 +1,7 @@
 // The GPU backend of the tests, with the shaders of this source tree.
 #pragma once
 
+#include <cstdlib>
 #include <memory>
 
 #include "gpu/gpu_backend.h"
@@ -8,7 +9,11 @@
 
 namespace ballpit::test {
 
-inline std::filesystem::path shader_folder() { return source_folder() / "glsl"; }
+/// Of this source tree; or of a spoiled copy (tests/mutants.py).
+inline std::filesystem::path shader_folder() {
+    const char* spoiled = std::getenv("BALLPIT_TEST_SHADERS");
+    return spoiled != nullptr ? std::filesystem::path(spoiled) : source_folder() / "glsl";
+}
 
 inline std::unique_ptr<gpu::GpuBackend> gpu_backend() { return std::make_unique<gpu::GpuBackend>(shader_folder()); }
 

@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""Plants known mistakes one by one, and asks the analytic cases (docs/accuracy.md) whether they notice.
+
+mutants.py [--only PART] [--folder FOLDER]
+    copies the program to FOLDER (build/mutants), and for each mistake: spoils mirror, shaders and core, builds both
+    executables of the analytic cases, runs them, and prints which cases turned red. Exit code 1 if a mistake lived.
+mutants.py --quick EXECUTABLE
+    only those in shaders, without building: runs EXECUTABLE (ballpit_physics_gpu_tests) over spoiled copies of glsl/,
+    one or two cases each. This is what CTest runs.
+"""
+import argparse
+import datetime
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+EXIT_SKIPPED = 77   # the executables' own: no OpenGL 4.3 here
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+CPU = "src/cpu/collide.cpp"
+PAIR = "glsl/shared/pair.glsl"
+CONTACT = "glsl/shared/contact.glsl"
+
+# name; edits of the mirror and the core: (file, right, wrong); edits of the shaders; a case that notices it on the GPU.
+MUTANTS = [
+    ("drag speeds up",
+     [(CPU, "decay * v + gain * a : v", "(Real(2) - decay) * v + gain * a : v")],
+     [("glsl/collide.comp", "params.decay * v + params.gain * a", "(2.0 - params.decay) * v + params.gain * a")],
+     "A3*"),
+    ("drag of the squared substep",
+     [("src/core/integrator.cpp", "const double exponent = -drag * duration;",
+       "const double exponent = -drag * duration * duration;")], [], ""),
+    ("half a substep is a whole one",
+     [("src/core/integrator.cpp", "const double half = 0.5 * dt;", "const double half = dt;")], [], ""),
+    ("half a substep is a quarter",
+     [("src/core/integrator.cpp", "const double half = 0.5 * dt;", "const double half = 0.25 * dt;")], [], ""),
+    ("historical without its 1/2",
+     [(CPU, "(Real(0.5) * params.drift * params.drift) * a", "(params.drift * params.drift) * a")],
+     [("glsl/collide.comp", "(0.5 * params.drift * params.drift) * a", "(params.drift * params.drift) * a")],
+     "A1 *"),
+    ("positions are read after they are written",
+     [(CPU, "next_positions[id] = Vec4<Real>(x, in.positions[id].w);",
+       "next_positions[id] = Vec4<Real>(x, in.positions[id].w);\n"
+       "        const_cast<Vec4<Real>&>(in.positions[id]) = next_positions[id];")],
+     [("glsl/collide.comp", "writeonly buffer NextPositionsBlock", "buffer NextPositionsBlock"),
+      (PAIR, "vec4 position = positions[other];", "vec4 position = next_positions[other];")],
+     "A4 head*"),
+    ("a ball touches itself",
+     [(CPU, "const std::uint32_t id = in.keys[slot].ball_id;\n                    if (id != a.id) {",
+       "const std::uint32_t id = in.keys[slot].ball_id;\n                    {")],
+     [("glsl/shared/neighbours.glsl", "if (id != a.id) {", "{")],
+     "A4 head*"),
+    ("26 of 27 cells",
+     [(CPU, "const std::uint32_t id = in.keys[slot].ball_id;\n                    if (id != a.id) {",
+       "const std::uint32_t id = in.keys[slot].ball_id;\n"
+       "                    if (id != a.id && !(x > middle.x && y > middle.y && z > middle.z)) {")],
+     [("glsl/shared/neighbours.glsl", "if (id != a.id) {",
+       "if (id != a.id && !(x > middle.x && y > middle.y && z > middle.z)) {")],
+     "A25 forces*"),
+    ("cells of the mean radius",
+     [("src/core/simulation.cpp", "largest = std::max(largest, p.w);",
+       "largest += p.w / static_cast<float>(positions.size());")], [], ""),
+    ("cells half as wide",
+     [("src/core/grid.cpp", "2.0 * r_max * cell_factor", "r_max * cell_factor")], [], ""),
+    ("the mass of the other ball is one's own",
+     [(CPU, "const Real mass = mass_of(velocity);", "const Real mass = a.mass;")],
+     [(PAIR, "float mass = mass_of(velocity);", "float mass = a.mass;")],
+     "A15 oblique with*"),
+    ("the radius of the other ball is one's own",
+     [(CPU, "a.radius + radius_of(position)", "a.radius + a.radius")],
+     [(PAIR, "a.radius + radius_of(position)", "a.radius + a.radius")],
+     "A5*"),
+    ("the dashpot sees the whole velocity",
+     [(CPU, "const Real speed = dot(a.velocity - Vec3<Real>(velocity), normal);",
+       "const Vec3<Real> w = a.velocity - Vec3<Real>(velocity);\n"
+       "        const Real speed = std::copysign(std::sqrt(dot(w, w)), dot(w, normal));")],
+     [(PAIR, "precise float speed = ordered_dot(a.velocity - velocity.xyz, normal);",
+       "vec3 w = a.velocity - velocity.xyz;\n    float speed = length(w) * sign(dot(w, normal));")],
+     "A15 oblique with*"),
+    ("a contact may pull",
+     [(CPU, "? std::max(force, Real(0)) : force", "? force : force")],
+     [(CONTACT, "force = max(force, 0.0);", "force = force;")],
+     "A7*"),
+    ("a pair counts twice",
+     [(CPU, "force += pair_force(a, other, normal, reach - distance) * normal;",
+       "force += Real(2) * pair_force(a, other, normal, reach - distance) * normal;")],
+     [(PAIR, "force + pair_force(a, other, normal, overlap) * normal",
+       "force + 2.0 * pair_force(a, other, normal, overlap) * normal")],
+     "A4 head*"),
+    ("no upper walls",
+     [(CPU, "force[axis] -= wall_force(ball, high, -from_high[axis]);",
+       "force[axis] -= Real(0) * wall_force(ball, high, -from_high[axis]);")],
+     [("glsl/shared/walls.glsl", "pushed = pushed - wall_force(high[axis], -from_high[axis], ball);", "")],
+     "A16*"),
+    ("a substep lasts a step",
+     [("src/core/simulation.cpp", "substep_motion(settings_.integrator, drag(), substep_dt(), velocity_lag_)",
+       "substep_motion(settings_.integrator, drag(), settings_.dt, velocity_lag_)")], [], ""),
+    ("time is summed in float",
+     [("src/core/simulation.cpp",
+       "return time_base_ + static_cast<double>(substeps_since_base_) * substep_dt();",
+       "float t = static_cast<float>(time_base_);\n"
+       "    for (std::uint64_t i = 0; i < substeps_since_base_; ++i) {\n"
+       "        t += static_cast<float>(substep_dt());\n"
+       "    }\n"
+       "    return static_cast<double>(t);")], [], ""),
+    ("gravity once a contact",
+     [(CPU, "force += pair_force(a, other, normal, reach - distance) * normal;",
+       "force += pair_force(a, other, normal, reach - distance) * normal;\n"
+       "        force += features.has(Feature::gravity) ? a.mass * params.gravity : Vec3<Real>(0);")],
+     [(PAIR, "force = sum;", "force = sum;\n#ifdef LAW_GRAVITY\n        force += a.mass * params.gravity;\n#endif")],
+     "A10 column at rest*"),
+    ("at most four balls of a cell",
+     [(CPU, "slot < range.end; ++slot", "slot < std::min(range.end, range.first + 4u); ++slot")],
+     [("glsl/shared/neighbours.glsl", "slot < range.end; ++slot", "slot < min(range.end, range.first + 4u); ++slot")],
+     "A25 forces*"),
+]
+
+
+def spoil(root, edits):
+    """Applies the edits below `root`, wherever the text occurs; a text that is not there is an error of the table."""
+    for name, right, wrong in edits:
+        file = root / name
+        text = file.read_text(encoding="utf-8")
+        if right not in text:
+            sys.exit(f"mutants.py: {name} has no \"{right}\"; the table must follow the program")
+        file.write_text(text.replace(right, wrong), encoding="utf-8")
+
+
+def cases_that_fail(executable, arguments, environment):
+    """The failed test cases: their numbers, like A4, or their names."""
+    run = subprocess.run([executable, "-r", "xml", *arguments], env=environment, capture_output=True, text=True,
+                         timeout=900, cwd=ROOT)
+    if run.returncode == EXIT_SKIPPED:
+        print(run.stderr, file=sys.stderr)
+        sys.exit(EXIT_SKIPPED)
+    failed = []
+    for case in re.split(r"<TestCase ", run.stdout)[1:]:
+        name = re.match(r'name="([^"]*)"', case).group(1)
+        if '<OverallResult success="false"' in case or "<OverallResult" not in case:
+            number = re.match(r"A\d+(, A\d+)?", name)
+            failed.append(number.group(0) if number else name.split(" - ")[0])
+    if run.returncode != 0 and not failed:
+        failed.append(f"exit code {run.returncode}")
+    return sorted(set(failed), key=lambda name: (name[0] != "A", int(re.sub(r"\D.*", "", name[1:]) or 0), name))
+
+
+def gpu_environment(shaders=None):
+    environment = dict(os.environ, SDL_VIDEODRIVER="offscreen")
+    if shaders:
+        environment["BALLPIT_TEST_SHADERS"] = str(shaders)
+    return environment
+
+
+def quick(executable):
+    lived = []
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder)
+        for name, _, shaders, case in MUTANTS:
+            if not shaders:
+                continue
+            shutil.rmtree(copy / "glsl", ignore_errors=True)
+            shutil.copytree(ROOT / "glsl", copy / "glsl")
+            spoil(copy, shaders)
+            failed = cases_that_fail(executable, [case], gpu_environment(copy / "glsl"))
+            print(f"{name}: {', '.join(failed) or 'LIVED'}", flush=True)
+            if not failed:
+                lived.append(name)
+    return lived
+
+
+def build(folder, targets):
+    subprocess.run(["cmake", "--build", str(folder / "build"), "--target", *targets], check=True,
+                   stdout=subprocess.DEVNULL)
+
+
+def copy_program(folder):
+    """A copy of what is built, in which only changed files get a new date."""
+    for name in ("CMakeLists.txt", "cmake", "src", "glsl", "tests", "assets"):
+        source = ROOT / name
+        for file in [source] if source.is_file() else source.rglob("*"):
+            target = folder / file.relative_to(ROOT)
+            if file.is_dir():
+                target.mkdir(parents=True, exist_ok=True)
+            elif not target.is_file() or target.read_bytes() != file.read_bytes():
+                target.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(file, target)
+
+
+def configure(folder):
+    command = ["cmake", "-S", str(folder), "-B", str(folder / "build"), "-DCMAKE_BUILD_TYPE=Release"]
+    command += ["-G", "Ninja"] if shutil.which("ninja") else []
+    command += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+
+
+def full(folder, only):
+    folder.mkdir(parents=True, exist_ok=True)
+    targets = ["ballpit_physics_tests", "ballpit_physics_gpu_tests"]
+    copy_program(folder)
+    configure(folder)
+    build(folder, targets)
+    cpu, gpu = (folder / "build" / "tests" / target for target in targets)
+    for executable, environment in ((cpu, None), (gpu, gpu_environment())):
+        failed = cases_that_fail(executable, [], environment)
+        if failed:
+            sys.exit(f"mutants.py: {executable.name} fails without a mistake: {', '.join(failed)}")
+    lived = []
+    rows = []
+    for name, host, shaders, _ in MUTANTS:
+        if only not in name:
+            continue
+        copy_program(folder)
+        spoil(folder, host + shaders)
+        build(folder, targets)
+        seen = [cases_that_fail(cpu, [], None), cases_that_fail(gpu, [], gpu_environment())]
+        rows.append(f"| {name} | {', '.join(seen[0]) or '**lived**'} | {', '.join(seen[1]) or '**lived**'} |")
+        print(rows[-1], file=sys.stderr, flush=True)
+        lived += [f"{name} ({side})" for side, failed in zip(("processor", "GPU"), seen) if not failed]
+    copy_program(folder)
+    print(f"Made by `./run mutants` on {datetime.date.today().isoformat()}.\n")
+    print("| mistake | red on mirror and reference | red on the GPU |\n| --- | --- | --- |")
+    print("\n".join(rows))
+    return lived
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", metavar="EXECUTABLE", type=pathlib.Path)
+    parser.add_argument("--only", default="", help="mistakes whose name has this in it")
+    parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "mutants")
+    options = parser.parse_args()
+    lived = quick(options.quick.resolve()) if options.quick else full(options.folder.resolve(), options.only)
+    if lived:
+        sys.exit(f"mutants.py: nobody noticed: {', '.join(lived)}")
+
+
+if __name__ == "__main__":
+    main()
