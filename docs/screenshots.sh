@@ -5,6 +5,7 @@
 set -euo pipefail
 
 binary=$(realpath "$1")
+export XDG_CONFIG_HOME=$(mktemp -d)   # no settings of whoever takes the pictures
 shift
 here=$(cd "$(dirname "$0")" && pwd)
 images=$here/images

@@ -6,10 +6,7 @@
 #include <new>
 
 #include "app/commands.h"
-#include "app/gallery.h"
 #include "app/options.h"
-#include "app/setup.h"
-#include "app/window.h"
 #include "core/error.h"
 #include "gl/error.h"
 
@@ -19,26 +16,10 @@ using namespace ballpit;
 
 enum ExitCode : int { fine = 0, bad_input = 2, no_device = 3 };
 
-int open_window(const app::Options& options) {
-    app::Setup setup = app::make_setup(options);
-    app::WindowOptions window;
-    window.gallery = app::list_scenes(setup.paths.assets);
-    window.scene = std::move(setup.scene);
-    window.scene_file = setup.scene_file.string();
-    window.settings = setup.settings;
-    window.seed = setup.seed;
-    window.backend = options.backend;
-    window.assets_folder = setup.paths.assets;
-    window.shader_folder = setup.paths.shaders;
-    window.model_file =
-        options.model.empty() ? setup.paths.assets / "models" / "ball.obj" : std::filesystem::path(options.model);
-    return app::run_window(window);
-}
-
 int run(const app::Options& options) {
     switch (options.command) {
         case app::Command::window:
-            return open_window(options);
+            return app::open_window(options);
         case app::Command::headless:
             return app::run_headless(options);
         case app::Command::check:

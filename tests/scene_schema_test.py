@@ -38,7 +38,7 @@ EVERYTHING = {
     "fill": {"count": 2, "radius": [0.1, 0.1], "density": 1, "speed": 1, "region": [ORIGIN, ORIGIN], "seed": 1},
     "bounds": {"speed": 1, "overlap": 1, "outside": 1},
 }
-MOMENT = {"step": 1, "time": 1, "velocity_lag": 0, "walls_low": ORIGIN, "walls_high": ORIGIN, "shake_offset": ORIGIN,
+MOMENT = {"step": 1, "substep": 1, "time": 1, "velocity_lag": 0, "walls_low": ORIGIN, "walls_high": ORIGIN, "shake_offset": ORIGIN,
           "shake_phase": 0}
 
 

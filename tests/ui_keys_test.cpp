@@ -63,6 +63,9 @@ TEST_CASE("keys do what the help page says", "[ui]") {
     CHECK(action_of(key(SDLK_F1), false) == Action::toggle_help);
     CHECK(action_of(key(SDLK_ESCAPE), false) == Action::close);
     CHECK(action_of(key(SDLK_q, KMOD_LCTRL), false) == Action::quit);
+    CHECK(action_of(key(SDLK_f), false) == Action::share);
+    CHECK(action_of(key(SDLK_s, KMOD_LCTRL), false) == Action::save_scene);
+    CHECK(action_of(key(SDLK_v, KMOD_LCTRL), false) == Action::paste_code);
     CHECK_FALSE(action_of(key(SDLK_z), false));
 }
 

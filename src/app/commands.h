@@ -5,6 +5,7 @@
 
 namespace ballpit::app {
 
+int open_window(const Options& options);
 int run_headless(const Options& options);
 int run_check(const Options& options);
 int run_bench(const Options& options);

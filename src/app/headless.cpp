@@ -11,7 +11,9 @@
 #include "app/report.h"
 #include "app/screenshot.h"
 #include "app/setup.h"
+#include "app/shared_run.h"
 #include "core/error.h"
+#include "core/scene_writer.h"
 #include "measure/energy.h"
 
 namespace ballpit::app {
@@ -100,14 +102,63 @@ void print_summary(const Json& report) {
     }
 }
 
+// What a share code says of the run, in place of --scene, --set and --seed.
+std::optional<SharedCode> apply_code(const Options& options, Setup& setup) {
+    if (options.code.empty()) {
+        return std::nullopt;
+    }
+    SharedCode code = decode_share_code(options.code);
+    SharedScene shared = shared_scene(code, list_scenes(setup.paths.assets));
+    if (!shared.same) {
+        std::cerr << "ballpit: the code was made with another scene '" << code.scene << "' than the one here\n";
+    }
+    setup.scene = std::move(shared.scene);
+    setup.settings = shared.settings;
+    setup.seed = code.seed;
+    return code;
+}
+
+// To the moment of the code; what its state hash says of this machine's run.
+Json run_code(const SharedCode& code, Simulation& simulation) {
+    Stepper stepper(simulation, 0);
+    Replay replay(code.changes, code.substep, code.ran);
+    while (!replay.advance(stepper, simulation, 1.0)) {
+    }
+    const auto hash = awaited_hash(stepper, simulation);
+    Json report{{"backend", code.backend}, {"device", code.device}};
+    report["hash_here"] = hash ? Json(hash_text(*hash)) : Json();
+    report["hash"] = code.hash ? Json(hash_text(*code.hash)) : Json();
+    report["same"] = hash && code.hash ? Json(*hash == *code.hash) : Json();
+    return report;
+}
+
+void print_code(const Json& report) {
+    std::cout << "the share code's state hash ";
+    if (!report["same"].is_boolean()) {
+        std::cout << "is not known";
+    } else if (report["same"].get<bool>()) {
+        std::cout << "agrees: the same bits";
+    } else {
+        std::cout << "differs: " << report["hash"].get<std::string>() << " there, "
+                  << report["hash_here"].get<std::string>() << " here";
+    }
+    std::cout << "; it was made on " << report["backend"].get<std::string>() << ", "
+              << report["device"].get<std::string>() << "\n";
+}
+
 }  // namespace
 
 int run_headless(const Options& options) {
-    const Setup setup = make_setup(options);
+    Setup setup = make_setup(options);
+    const std::optional<SharedCode> code = apply_code(options, setup);
     Report json(options.json);
     std::optional<AtomicFile> state_file;
     if (!options.state_out.empty()) {
         state_file.emplace(options.state_out);
+    }
+    std::optional<AtomicFile> scene_file;
+    if (!options.save.empty()) {
+        scene_file.emplace(options.save);
     }
     const bool picture = !options.screenshot.empty();
     Device device = open_device(options.backend, setup.paths.shaders, picture);
@@ -115,7 +166,7 @@ int run_headless(const Options& options) {
         std::cerr << "ballpit: " << device.note << "\n";
     }
     Simulation simulation = make_simulation(setup, device);
-    const std::uint64_t steps = steps_to_run(options, setup.settings.dt);
+    const std::uint64_t steps = code ? 0 : steps_to_run(options, setup.settings.dt);
     std::optional<Screenshot> screenshot;
     if (picture) {
         screenshot.emplace(setup.paths, options);  // before the work: a missing model is told at once
@@ -123,6 +174,10 @@ int run_headless(const Options& options) {
 
     Trace trace(options.trace, simulation);
     const auto start = std::chrono::steady_clock::now();
+    Json code_report;
+    if (code) {
+        code_report = run_code(*code, simulation);
+    }
     for (std::uint64_t i = 0; i < steps; ++i) {
         simulation.step();
         trace.add_row();
@@ -136,12 +191,22 @@ int run_headless(const Options& options) {
         write_state(state_file->stream(), state);
         state_file->commit();
     }
-    if (screenshot) {
-        screenshot->save(simulation);
+    if (scene_file) {
+        scene_file->stream() << scene_text(scene_of_moment(simulation));
+        scene_file->commit();
     }
-    const Json report = make_report(simulation, state, wall_ms);
+    if (screenshot) {
+        screenshot->save(simulation, code);
+    }
+    Json report = make_report(simulation, state, wall_ms);
     if (options.json != "-") {
         print_summary(report);
+    }
+    if (code) {
+        report["code"] = code_report;
+        if (options.json != "-") {
+            print_code(code_report);
+        }
     }
     json.write(report.dump(2) + "\n");
     return 0;

@@ -78,6 +78,8 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
             return Action::clear_selection;
         case SDLK_F3:
             return Action::toggle_timings;
+        case SDLK_f:
+            return Action::share;
         case SDLK_TAB:
             return Action::toggle_panels;
         case SDLK_F11:
@@ -113,6 +115,10 @@ std::optional<Action> control_action(const SDL_Keysym& key) {
     switch (key.sym) {
         case SDLK_q:
             return Action::quit;
+        case SDLK_s:
+            return Action::save_scene;
+        case SDLK_v:
+            return Action::paste_code;
         case SDLK_HOME:
             return Action::step_start;
         case SDLK_END:
@@ -126,6 +132,11 @@ bool repeats(std::optional<Action> action) {
     return action == Action::one_step || action == Action::forward || action == Action::back ||
            action == Action::forward_coarser || action == Action::back_coarser || action == Action::next_ball ||
            action == Action::previous_ball || action == Action::layer_up || action == Action::layer_down;
+}
+
+// What no text field has a use for; a share code is pasted wherever the cursor is.
+bool works_while_typing(Action action) {
+    return action == Action::quit || action == Action::save_scene || action == Action::paste_code;
 }
 
 bool held(SDL_Keycode key) {
@@ -160,7 +171,7 @@ void Input::handle(const SDL_Event& event, bool typing, int height) {
     switch (event.type) {
         case SDL_KEYDOWN:
             if (const auto action = action_of(event.key.keysym, event.key.repeat != 0);
-                action && (!typing || action == Action::quit)) {
+                action && (!typing || works_while_typing(*action))) {
                 commands_.emplace_back(*action);
             }
             break;

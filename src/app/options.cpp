@@ -27,6 +27,15 @@ void add_scene_options(CLI::App& app, Options& options) {
     app.add_option("--seed", options.seed, "Seed of the random fill, instead of the scene's")->check(whole_number);
 }
 
+// The whole of a run in a line: whoever gives it cannot mean another scene as well.
+CLI::Option* add_code_option(CLI::App& app, Options& options) {
+    CLI::Option* code = app.add_option("--code", options.code, "A share code: the frame that somebody else looked at");
+    for (const char* other : {"--scene", "--set", "--seed"}) {
+        code->excludes(app.get_option(other));
+    }
+    return code;
+}
+
 void add_model_option(CLI::App& app, Options& options) {
     app.add_option("--model", options.model, "OBJ file that is drawn for a ball, instead of the one of the assets");
 }
@@ -52,6 +61,9 @@ CLI::App* add_headless(CLI::App& app, Options& options) {
     headless->add_option("--seconds", options.seconds, "Simulated seconds to run, instead of --steps")
         ->check(CLI::NonNegativeNumber)
         ->excludes(steps);
+    CLI::Option* code = add_code_option(*headless, options);
+    code->excludes(steps)->excludes(headless->get_option("--seconds"));
+    headless->add_option("--save", options.save, "Scene file of the final state, which goes on from there");
     headless->add_option("--state-out", options.state_out, "CSV of the final state, one row a ball");
     headless->add_option("--trace", options.trace, "CSV with one row a step: energies, momentum, overlap, contacts");
     headless->add_option("--screenshot", options.screenshot, "PNG of the final state");
@@ -114,6 +126,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.require_subcommand(0, 1);
     add_scene_options(app, options);
     add_model_option(app, options);
+    add_code_option(app, options);
+    app.add_flag("--fresh", options.fresh, "The window starts as if for the first time");
     const std::vector<std::pair<CLI::App*, Command>> commands = {
         {add_headless(app, options), Command::headless},
         {add_check(app, options), Command::check},
@@ -134,6 +148,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
             options.command = command;
         }
     }
+    options.scene_given = app.count("--scene") > 0;
+    options.backend_given = app.count("--backend") > 0;
     return options;
 }
 

@@ -18,12 +18,17 @@ struct Options {
     std::string backend = "auto";  // auto, gpu, cpu
     std::vector<std::string> set;  // KEY=VALUE
     std::optional<std::uint64_t> seed;
-    std::string model;  // OBJ file, empty: the ball of the assets
+    bool scene_given = false;  // the two above were on the command line
+    bool backend_given = false;
+    std::string code;    // a share code, instead of all of these
+    bool fresh = false;  // window: nothing of last time
+    std::string model;   // OBJ file, empty: the ball of the assets
 
     // headless, check
     std::optional<std::uint64_t> steps;
     std::optional<double> seconds;  // simulated
     std::string state_out;
+    std::string save;  // scene file of the final state
     std::string trace;
     std::string screenshot;
     int width = 1280;

@@ -3,7 +3,9 @@
 #include <SDL.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <memory>
 #include <utility>
 #include <variant>
 
@@ -12,10 +14,13 @@
 #include "app/window_camera.h"
 #include "app/window_gui.h"
 #include "app/window_inspector.h"
+#include "app/window_keeper.h"
 #include "app/window_monitor.h"
 #include "app/window_overlay.h"
 #include "app/window_picture.h"
+#include "app/window_place.h"
 #include "app/window_session.h"
+#include "app/window_share.h"
 #include "app/window_stepping.h"
 #include "app/window_timings.h"
 #include "app/window_views.h"
@@ -58,6 +63,17 @@ bool release_comes_next() {
            (next.type == SDL_KEYUP || next.type == SDL_MOUSEBUTTONUP);
 }
 
+// What may be done while a code's run is replayed: nothing that touches the run.
+bool leaves_run_alone(const ui::Command& command) {
+    if (const auto* action = std::get_if<ui::Action>(&command)) {
+        constexpr std::array harmless = {ui::Action::close,       ui::Action::quit,        ui::Action::toggle_panels,
+                                         ui::Action::full_screen, ui::Action::camera_home, ui::Action::toggle_help};
+        return std::ranges::find(harmless, *action) != harmless.end();
+    }
+    return std::holds_alternative<ui::ChangeView>(command) || std::holds_alternative<ui::ChangeLight>(command) ||
+           std::holds_alternative<ui::ChangeTextSize>(command) || std::holds_alternative<ui::DismissMessage>(command);
+}
+
 class Window {
 public:
     explicit Window(const WindowOptions& options);
@@ -78,6 +94,9 @@ private:
     WindowExtent extent() const;
     Surroundings surroundings() const;
     void update_title();
+    void remember(const UserSettings& user);
+    UserSettings to_remember() const;
+    void keep(double now_s);
 
     void carry_out(const ui::Commands& commands);
     void close_topmost();
@@ -106,6 +125,8 @@ private:
     void act(const ui::SelectCellOfBall& command) { views_.select_cell_of_ball(command.ball, inspection_); }
     void act(const ui::ChangeProbe& command) { views_.act(command); }
     void act(const ui::ShowElement& command) { views_.act(command); }
+    void act(const ui::CopyCode& command) { sharing_.act(command); }
+    void act(const ui::NameFile& command) { sharing_.act(command); }
     void act(const ui::ExportSlot& command) { views_.export_slot(command.slot, inspector_, session_); }
 
     gl::Context context_;
@@ -130,6 +151,9 @@ private:
     ui::ViewOptions view_;
     WindowCamera camera_;
     view::Light light_;
+    Sharing sharing_{session_, clock_, {view_, light_, camera_, views_, inspection_}};
+    Keeper keeper_;
+    WindowPlace place_;  // when it last did not fill the screen
     double speed_ = 1.0;
     float text_size_ = 1.0f;
     bool full_screen_ = false;
@@ -149,8 +173,54 @@ Window::Window(const WindowOptions& options)
     : context_(context_options(options)),
       gui_(context_, options.assets_folder / "fonts" / "DejaVuSans.ttf"),
       session_(options, context_.has_compute(), context_.version()),
-      picture_(options.shader_folder, options.model_file) {
+      picture_(options.shader_folder, options.model_file),
+      keeper_(options.user_folder, options.user) {
     SDL_GL_SetSwapInterval(1);
+    remember(options.user);
+    message_ = options.message;
+    if (!options.code.empty()) {
+        sharing_.open_code(options.code);
+    }
+}
+
+// As it was when it was closed.
+void Window::remember(const UserSettings& user) {
+    place_ = user.place.value_or(place_of(context_.window()));
+    if (user.place) {
+        put(context_.window(), *user.place);
+    }
+    if (user.full_screen) {
+        toggle_full_screen();
+    }
+    if (user.shown) {
+        view_ = user.shown->view;
+        light_ = light_of(user.shown->light);
+        views_.act(ui::ChangeProbe{user.shown->probe});
+    }
+    text_size_ = static_cast<float>(user.text_size);
+    speed_ = user.speed;
+    gui_.set_layout(user.layout);
+}
+
+UserSettings Window::to_remember() const {
+    UserSettings user;
+    user.place = full_screen_ ? place_ : place_of(context_.window());
+    user.full_screen = full_screen_;
+    user.text_size = static_cast<double>(text_size_);
+    user.speed = speed_;
+    user.shown = Shown{view_, views_.probe_options(), light_options(light_)};
+    user.shown->light.angle = view::Light().angle;  // it goes round
+    user.shown->probe.split = false;                // costs what a second simulation costs
+    user.shown->view.help = false;
+    user.layout = gui_.layout();
+    session_.describe(user);
+    return user;
+}
+
+void Window::keep(double now_s) {
+    if (keeper_.due(now_s) && !sharing_.replaying()) {
+        keeper_.update(to_remember(), now_s);
+    }
 }
 
 int Window::run() {
@@ -161,6 +231,7 @@ int Window::run() {
             frame();
         }
     }
+    keeper_.finish(to_remember());
     return 0;
 }
 
@@ -171,7 +242,7 @@ bool Window::hidden() const {
 // A window that nobody sees, or in which nothing moves, must not heat the room.
 void Window::wait_for_events() {
     const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
-                       !inspector_.waiting() && !views_.working() && !camera_.flying() &&
+                       !inspector_.waiting() && !sharing_.working() && !views_.working() && !camera_.flying() &&
                        !input_.active(gui_.typing()) && !blinks(overlay_);
     if (!hidden() && !still) {
         return;
@@ -193,6 +264,9 @@ void Window::handle_events() {
         pressed |= event.type == SDL_MOUSEBUTTONDOWN || (event.type == SDL_KEYDOWN && gui_.typing());
         if (event.type == SDL_QUIT) {
             quit_ = true;
+        } else if (event.type == SDL_DROPFILE) {
+            const std::unique_ptr<char, decltype(&SDL_free)> file(event.drop.file, &SDL_free);
+            sharing_.open_file(file.get());
         }
     }
     carry_out(input_.take_commands());
@@ -211,7 +285,8 @@ void Window::frame() {
     const int steps = advance(busy_s);
     look_inside(seconds_between(start_, now));
     measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
-    for (std::string message : {views_.take_message(), session_.take_message()}) {
+    for (std::string message :
+         {views_.take_message(), session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
         if (!message.empty()) {
             message_ = std::move(message);
         }
@@ -219,6 +294,8 @@ void Window::frame() {
 
     gui_.begin_frame(text_size_);
     move_camera(static_cast<float>(std::min(busy_s, 0.1)));
+    sharing_.update();
+    keep(seconds_between(start_, now));
     const ui::State state = make_state();
     ui::Commands commands;
     ui::draw_panels(state, commands);
@@ -368,6 +445,7 @@ ui::State Window::make_state() {
     state.inspection = &inspection_;
     views_.describe(probe_, session_, inspection_, view_, monitor_.top_count());
     state.probe = &probe_;
+    state.share = &sharing_.state();
     state.message = message_;
     state.close_popups = close_popups_;
     return state;
@@ -386,12 +464,14 @@ void Window::update_title() {
 
 void Window::carry_out(const ui::Commands& commands) {
     for (const ui::Command& command : commands) {
-        std::visit([this](const auto& c) { act(c); }, command);
+        if (!sharing_.replaying() || leaves_run_alone(command)) {
+            std::visit([this](const auto& c) { act(c); }, command);
+        }
     }
 }
 
 void Window::act(ui::Action action) {
-    if (views_.act(action, inspection_, session_) || stepping_.act(action, view_)) {
+    if (views_.act(action, inspection_, session_) || stepping_.act(action, view_) || sharing_.act(action)) {
         return;
     }
     switch (action) {
@@ -459,6 +539,8 @@ void Window::close_topmost() {
         close_popups_ = true;
     } else if (view_.help) {
         view_.help = false;
+    } else if (sharing_.close()) {
+        return;
     } else if (!message_.empty()) {
         message_.clear();
     } else if (full_screen_) {
@@ -467,6 +549,9 @@ void Window::close_topmost() {
 }
 
 void Window::toggle_full_screen() {
+    if (!full_screen_) {
+        place_ = place_of(context_.window());
+    }
     full_screen_ = !full_screen_;
     SDL_SetWindowFullscreen(context_.window(), full_screen_ ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gallery.h"
+#include "app/user_settings.h"
 #include "core/scene.h"
 
 namespace ballpit::app {
@@ -23,6 +24,10 @@ struct WindowOptions {
     std::filesystem::path model_file;
     int width = 1280;  // points
     int height = 720;
+    UserSettings user;                  // what was remembered
+    std::filesystem::path user_folder;  // where that goes
+    std::string message;                // to begin with
+    std::string code;                   // a share code to open; has been looked at
 };
 
 /// Opens the window and runs until it is closed; the exit code. Throws InputError, DeviceError or gl::Error for what

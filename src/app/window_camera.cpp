@@ -1,5 +1,6 @@
 #include "app/window_camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -42,6 +43,14 @@ bool WindowCamera::home_has_moved(const Surroundings& surroundings) const {
     return surroundings.split != home_surroundings_.split || (untouched && other_panels);
 }
 
+void WindowCamera::look_from(const view::Camera& camera) {
+    camera_ = camera;
+    camera_.pitch = std::clamp(camera.pitch, -view::maximum_pitch, view::maximum_pitch);
+    flight_.reset();
+    to_home_ = false;
+    placed_ = true;
+}
+
 void WindowCamera::fly_to(const vec4& ball, const Surroundings& surroundings) {
     view::Camera there = view::fly_to(camera_, vec3(ball), ball.w);
     const float ahead = glm::dot(vec3(ball) - there.position, view::forward(there));
@@ -52,6 +61,9 @@ void WindowCamera::fly_to(const vec4& ball, const Surroundings& surroundings) {
 }
 
 void WindowCamera::update(Input& input, const Surroundings& surroundings, float seconds, bool typing, bool over_panel) {
+    if (std::exchange(placed_, false)) {
+        home_surroundings_ = surroundings;  // what opened with it is no reason to go home
+    }
     if (std::exchange(to_home_, false) || home_has_moved(surroundings)) {
         set_home(surroundings);
     }

@@ -21,6 +21,8 @@ public:
     const view::Camera& camera() const { return camera_; }
 
     void go_home() { to_home_ = true; }
+    /// Stands there at once, and stays.
+    void look_from(const view::Camera& camera);
     /// The ball (centre, radius) comes into the middle of what the panels leave free.
     void fly_to(const vec4& ball, const Surroundings& surroundings);
     bool flying() const { return flight_.has_value(); }
@@ -43,6 +45,7 @@ private:
     view::Camera home_;
     Surroundings home_surroundings_;
     bool to_home_ = true;
+    bool placed_ = false;  // by look_from, since the last update
     std::optional<Flight> flight_;
 };
 

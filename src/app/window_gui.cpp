@@ -66,7 +66,7 @@ Gui::Gui(const gl::Context& context, std::filesystem::path font_file)
     : window_(context.window()), font_file_(std::move(font_file)) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // a lecture starts the same every time
+    ImGui::GetIO().IniFilename = nullptr;  // the window keeps it with the rest of the user's settings
     ImGui_ImplSDL2_InitForOpenGL(window_, context.handle());
     ImGui_ImplOpenGL3_Init("#version 330 core");
     if (!fonts_scale_themselves) {
@@ -123,6 +123,10 @@ void Gui::end_frame() const {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
+
+std::string Gui::layout() const { return ImGui::SaveIniSettingsToMemory(); }
+
+void Gui::set_layout(const std::string& layout) { ImGui::LoadIniSettingsFromMemory(layout.c_str(), layout.size()); }
 
 bool Gui::typing() const { return ImGui::GetIO().WantTextInput; }
 

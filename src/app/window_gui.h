@@ -4,6 +4,7 @@
 #include <SDL.h>
 
 #include <filesystem>
+#include <string>
 
 #include "gl/context.h"
 
@@ -24,6 +25,10 @@ public:
     void begin_frame(float text_size);
     /// Draws the panels into the window.
     void end_frame() const;
+
+    /// Where the windows stand that can be moved, as ImGui writes it. Set before the first frame.
+    std::string layout() const;
+    void set_layout(const std::string& layout);
 
     bool typing() const;      // a text field has the keyboard
     bool over_panel() const;  // a panel has the mouse

@@ -44,6 +44,7 @@ Session::Session(const WindowOptions& options, bool has_compute, const std::stri
       choice_(parse_choice(options.backend)),
       wanted_(options.settings) {
     list_scenes(options);
+    start_ = options.settings;
     simulation_ = std::make_unique<Simulation>(options.scene, options.settings, options.seed, make_backend(choice_));
     stepper_ = std::make_unique<Stepper>(*simulation_, default_checkpoint_budget);
     if (choice_ == ui::BackendChoice::automatic && !has_compute) {
@@ -54,19 +55,23 @@ Session::Session(const WindowOptions& options, bool has_compute, const std::stri
 }
 
 void Session::list_scenes(const WindowOptions& options) {
+    gallery_ = options.gallery;
     const std::filesystem::path own(options.scene_file);
-    const auto entry =
-        std::ranges::find_if(options.gallery, [&](const SceneEntry& e) { return same_file(e.path, own); });
-    if (entry == options.gallery.end()) {
-        scene_files_.push_back(own);
-        scenes_.push_back({options.scene.name, options.scene.about});
+    const auto entry = std::ranges::find_if(gallery_, [&](const SceneEntry& e) { return same_file(e.path, own); });
+    if (entry == gallery_.end()) {
+        add_scene({"", own, ""}, {options.scene.name, options.scene.about});
     } else {
-        scene_ = static_cast<std::size_t>(entry - options.gallery.begin());
+        scene_ = static_cast<std::size_t>(entry - gallery_.begin());
     }
-    for (const SceneEntry& scene : options.gallery) {
-        scene_files_.push_back(scene.path);
-        scenes_.push_back(describe_scene(scene.path));
+    for (const SceneEntry& scene : gallery_) {
+        add_scene({scene.name, scene.path, ""}, describe_scene(scene.path));
     }
+}
+
+std::size_t Session::add_scene(SceneSource source, ui::SceneChoice choice) {
+    sources_.push_back(std::move(source));
+    scenes_.push_back(std::move(choice));
+    return scenes_.size() - 1;
 }
 
 std::unique_ptr<Backend> Session::make_backend(ui::BackendChoice choice) const {
@@ -88,8 +93,7 @@ bool Session::attempt(const std::function<void()>& change) {
     const std::uint64_t seed = simulation_->seed();
     const auto restore = [&](const std::exception& error) {
         message_ = std::string(error.what()) + " The scene starts anew.";
-        simulation_->load(scene, settings, seed);
-        start_timeline();
+        load(scene, settings, seed);
     };
     cells_ready_ = false;
     ++revision_;
@@ -107,6 +111,14 @@ bool Session::attempt(const std::function<void()>& change) {
     }
     wanted_ = simulation_->settings();
     return done;
+}
+
+void Session::load(Scene scene, const Settings& settings, std::uint64_t seed) {
+    simulation_->load(std::move(scene), settings, seed);
+    earlier_changes_.clear();
+    both_backends_ = false;
+    start_timeline();
+    start_ = simulation_->settings();
 }
 
 void Session::start_timeline() {
@@ -197,18 +209,23 @@ ui::Place Session::place() const {
 void Session::restart(bool new_seed) {
     attempt([&] {
         simulation_->restart(simulation_->seed() + (new_seed ? 1 : 0));
+        earlier_changes_.clear();
+        both_backends_ = false;
         start_timeline();
+        start_ = simulation_->settings();
     });
 }
 
 void Session::choose_scene(std::size_t index) {
     const bool done = attempt([&] {
-        Scene scene = load_scene(scene_files_[index]);  // read again: it may have been edited
-        scenes_[index] = {scene.name, scene.about};
+        const SceneSource& source = sources_[index];
+        Scene scene = source.file.empty() ? parse_scene(source.text, "the share code's scene")
+                                          : load_scene(source.file);  // read again: it may have been edited
+        const ui::SceneChoice choice{scene.name, scene.about};
         const Settings settings = scene.settings;
         const std::uint64_t seed = scene.fill ? scene.fill->seed : 0;
-        simulation_->load(std::move(scene), settings, seed);
-        start_timeline();
+        load(std::move(scene), settings, seed);
+        scenes_[index] = choice;
     });
     if (done) {
         scene_ = index;
@@ -229,7 +246,11 @@ void Session::next_scene(int offset) {
 
 void Session::choose_backend(ui::BackendChoice choice) {
     const auto change = [&] {
-        simulation_->use(make_backend(choice));
+        std::unique_ptr<Backend> backend = make_backend(choice);
+        auto changes = changes_so_far();
+        both_backends_ = both_backends_ || backend->name() != simulation_->backend().name();
+        simulation_->use(std::move(backend));
+        earlier_changes_ = std::move(changes);
         start_timeline();
     };
     if (attempt(change)) {

@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/shared_run.h"
 #include "app/window.h"
+#include "core/scene_writer.h"
 #include "core/simulation.h"
 #include "core/stepper.h"
 #include "ui/state.h"
@@ -18,6 +20,13 @@ namespace ballpit::app {
 
 /// Bytes of checkpoints on the device, at first.
 inline constexpr std::size_t default_checkpoint_budget = std::size_t{256} << 20;
+
+/// Where a scene comes from.
+struct SceneSource {
+    std::string name;            // in the gallery; empty: from elsewhere
+    std::filesystem::path file;  // empty: the text
+    std::string text;
+};
 
 class Session {
 public:
@@ -46,6 +55,21 @@ public:
     void restart(bool new_seed);
     void choose_scene(std::size_t index);
     void next_scene(int offset);  // around the end
+    /// A scene file from elsewhere, which then stands among the scenes to choose from.
+    void open_file(const std::filesystem::path& file);
+
+    /// What the code's run needs: scene, seed, changes, position, hash, device.
+    void describe(SharedCode& code);
+    /// Starts the scene of a code anew, with what it began with. False: refused, with a sentence.
+    bool open(const SharedCode& code);
+    /// A slice of the way to what the code shows (s); true once it has arrived, or cannot.
+    bool replay(Replay& replay, double seconds);
+    /// For who saves it: the scene as it is at the start of the present substep.
+    Scene scene_of_moment() { return ballpit::scene_of_moment(*simulation_); }
+    /// Name in the gallery, or the file's without its ending.
+    std::string scene_stem() const;
+    /// What is to come back another day: scene, and the settings that are not its own.
+    void describe(UserSettings& user) const;
     void choose_backend(ui::BackendChoice choice);
     void clear_status();
 
@@ -75,6 +99,9 @@ public:
 private:
     std::unique_ptr<Backend> make_backend(ui::BackendChoice choice) const;
     void list_scenes(const WindowOptions& options);
+    void load(Scene scene, const Settings& settings, std::uint64_t seed);
+    std::size_t add_scene(SceneSource source, ui::SceneChoice choice);
+    std::vector<std::pair<Moment, Change>> changes_so_far();
     bool attempt(const std::function<void()>& change);
     void move(const std::function<void()>& motion);
     void start_timeline();
@@ -82,7 +109,8 @@ private:
 
     bool has_compute_;
     std::filesystem::path shader_folder_;
-    std::vector<std::filesystem::path> scene_files_;
+    std::vector<SceneEntry> gallery_;
+    std::vector<SceneSource> sources_;  // of the scenes, one each
     std::vector<ui::SceneChoice> scenes_;
     std::size_t scene_ = 0;
     ui::BackendChoice choice_ = ui::BackendChoice::automatic;
@@ -92,6 +120,10 @@ private:
     std::optional<Moment> behind_;
     std::uint64_t furthest_step_ = 0;
     Settings wanted_;
+    Settings start_;  // with which the run began
+    // Changes before the timeline that is remembered now: the backend was changed since.
+    std::vector<std::pair<Moment, Change>> earlier_changes_;
+    bool both_backends_ = false;
     bool cells_ready_ = false;
     int scene_changes_ = 0;
     std::uint64_t revision_ = 0;

@@ -28,6 +28,7 @@ public:
     void pick(const view::vec2& click, bool control, const WindowExtent& extent, const view::Camera& camera,
               Session& session, ui::Inspection& inspection);
 
+    const ui::ProbeOptions& probe_options() const { return probe_.options(); }
     bool shows_slice() const { return probe_.options().slice; }
     bool needs_cells(const ui::ViewOptions& view, const ui::Inspection& inspection) const {
         return probe_.needs_cells(view.colour, inspection.ball.has_value());

@@ -36,6 +36,7 @@ struct Fill {
 /// The moment at which a running scene was saved: what it needs, beside the balls, to go on bit for bit.
 struct Resume {
     std::uint64_t step = 0;
+    std::uint32_t substep = 0;  // of this step that have run
     double time = 0.0;          // s
     double velocity_lag = 0.0;  // s (integrator.h)
     WallShift walls;

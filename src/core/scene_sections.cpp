@@ -10,6 +10,7 @@ namespace {
 // Where a moment is resumed, motion may have led anywhere; these only keep the numbers sane.
 constexpr double longest_time = 1e12;   // s
 constexpr double largest_phase = 1e15;  // rad
+constexpr std::uint64_t most_substeps_run = 1023;
 
 const SettingInfo& setting(std::string_view key) { return *find_setting(key); }
 
@@ -153,10 +154,14 @@ void read_compute(const JsonValue& compute, Scene& scene) {
 }
 
 void read_resume(const JsonValue& value, Scene& scene) {
-    value.expect_object({"step", "time", "velocity_lag", "walls_low", "walls_high", "shake_offset", "shake_phase"});
+    value.expect_object(
+        {"step", "substep", "time", "velocity_lag", "walls_low", "walls_high", "shake_offset", "shake_phase"});
     Resume& resume = scene.resume.emplace();
     if (const auto step = value.optional("step")) {
         resume.step = step->whole_number(std::numeric_limits<std::uint64_t>::max());
+    }
+    if (const auto substep = value.optional("substep")) {
+        resume.substep = static_cast<std::uint32_t>(substep->whole_number(most_substeps_run));
     }
     if (const auto time = value.optional("time")) {
         resume.time = time->number_between(0.0, longest_time, "s");

@@ -39,7 +39,7 @@ void Simulation::load_world(World world) {
     overlapping_ = world.overlapping;
     added_ = 0;
     step_count_ = from.step;
-    substep_ = 0;
+    substep_ = from.substep;
     substeps_since_base_ = 0;
     time_base_ = from.time;
     world.balls.velocity_lag = from.velocity_lag;

@@ -21,6 +21,9 @@ enum class Action : std::uint8_t {
     full_screen,
     camera_home,
     toggle_help,
+    share,
+    save_scene,
+    paste_code,
     forward,  // one unit
     back,
     forward_coarser,  // one of the next larger units
@@ -54,7 +57,7 @@ enum class Action : std::uint8_t {
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 44;
+inline constexpr std::size_t action_count = 47;
 
 struct KeyRow {
     Action action;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -94,10 +95,17 @@ struct ExportSlot {
     Slot slot;
 };
 
+/// The share code that the panel shows, to the clipboard.
+struct CopyCode {};
+/// What Ctrl+S saves under, without a folder.
+struct NameFile {
+    std::string name;
+};
+
 using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
                              ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
                              SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
-                             SelectCellOfBall, ShowElement, ExportSlot>;
+                             SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

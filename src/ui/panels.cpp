@@ -58,7 +58,7 @@ void left_side(const State& state, Commands& commands) {
         stack.window("timings", [&] { timings_panel(state); });
     }
     if (state.view.panels && state.view.occupancy) {
-        const float bottom = ImGui::GetIO().DisplaySize.y - margin() - strip_height(state);
+        const float bottom = ImGui::GetIO().DisplaySize.y - margin() - strip_height(state) - hash_corner_height(state);
         ImGui::SetNextWindowPos(ImVec2(margin(), bottom), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
         ImGui::Begin("occupancy", nullptr, fixed_window);
         occupancy_panel(state);
@@ -82,6 +82,42 @@ void right_side(const State& state, Commands& commands) {
         probe_section(state, commands);
     }
     ImGui::End();
+}
+
+// Small, without a frame: it is there all the time, whatever else is hidden.
+void corner_window(const State& state) {
+    ImGui::SetNextWindowPos(ImVec2(margin(), ImGui::GetIO().DisplaySize.y - 0.4f * em() - strip_height(state)),
+                            ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+    ImGui::SetNextWindowBgAlpha(0.6f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.4f * em(), 0.1f * em()));
+    ImGui::Begin("state hash", nullptr, fixed_window | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar(2);
+    hash_corner(state);
+    ImGui::End();
+}
+
+// Both stand in the middle of what the side panel leaves free.
+template <class Content>
+void middle_window(const State& state, const char* name, const Content& content) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float free = display.x - (state.view.panels ? side_panel_width() : 0.0f);
+    ImGui::SetNextWindowPos(ImVec2(0.5f * free, 0.4f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(std::min(30.0f * em(), display.x), 0.0f),
+                                        ImVec2(std::min(30.0f * em(), display.x), display.y));
+    ImGui::SetNextWindowBgAlpha(0.97f);
+    ImGui::Begin(name, nullptr, fixed_window);
+    content();
+    ImGui::End();
+}
+
+void share_windows(const State& state, Commands& commands) {
+    corner_window(state);
+    if (state.share->replay) {
+        middle_window(state, "replay", [&] { replay_panel(state); });
+    } else if (state.share->open) {
+        middle_window(state, "share", [&] { share_panel(state, commands); });
+    }
 }
 
 void help_window(const State& state, Commands& commands) {
@@ -109,6 +145,9 @@ void draw_panels(const State& state, Commands& commands) {
         draw_probe_windows(state, commands);
     }
     draw_stepping_windows(state, commands);  // opened on purpose: they stay when the panels are hidden
+    if (state.share != nullptr) {
+        share_windows(state, commands);
+    }
     if (state.view.help) {
         help_window(state, commands);
     }

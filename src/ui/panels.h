@@ -18,6 +18,9 @@ void message_panel(const State& state, Commands& commands);
 void status_panel(const State& state, Commands& commands);
 void timings_panel(const State& state);
 void occupancy_panel(const State& state);
+void share_panel(const State& state, Commands& commands);
+void replay_panel(const State& state);
+void hash_corner(const State& state);
 void help_page(const State& state, Commands& commands);
 
 /// Every panel that the state shows, between ImGui::NewFrame() and ImGui::Render().
@@ -25,6 +28,9 @@ void draw_panels(const State& state, Commands& commands);
 
 /// Width that the side panel and its margins take from the picture, in points; inside a frame.
 float side_panel_width();
+
+/// Height of the corner with the state hash, in pixels; inside a frame.
+float hash_corner_height(const State& state);
 
 /// Whether there is a failure to show in red.
 inline bool has_failure(const State& state) { return state.status.bits != 0; }

@@ -11,10 +11,11 @@ namespace ballpit::ui {
 
 namespace {
 
-constexpr ImGuiWindowFlags movable = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoCollapse;
-constexpr ImGuiWindowFlags fixed = movable | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize;
+constexpr ImGuiWindowFlags movable =
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoCollapse;
+constexpr ImGuiWindowFlags fixed = movable | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_AlwaysAutoResize;
 
 float margin() { return 0.6f * em(); }
 
@@ -32,8 +33,8 @@ bool window(const State& state, const char* title, ImVec2 low, ImVec2 size, cons
     size = ImVec2(std::min(size.x, room.x - 2.0f * margin()), std::min(size.y, room.y - 2.0f * margin()));
     low = ImVec2(std::clamp(low.x, margin(), std::max(margin(), room.x - size.x)),
                  std::clamp(low.y, margin(), std::max(margin(), room.y - size.y - margin())));
-    ImGui::SetNextWindowPos(low, ImGuiCond_Once);
-    ImGui::SetNextWindowSize(size, ImGuiCond_Once);
+    ImGui::SetNextWindowPos(low, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints(ImVec2(14.0f * em(), 8.0f * em()), ImVec2(FLT_MAX, FLT_MAX));
     bool open = true;
     if (ImGui::Begin(title, &open, movable)) {
@@ -90,7 +91,8 @@ void split_windows(const State& state, Commands& commands) {
     const std::array<const SplitSide*, 2> sides = {&state.probe->grid_side, &state.probe->brute_side};
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const float middle = room.x * (0.25f + 0.5f * static_cast<float>(i));
-        ImGui::SetNextWindowPos(ImVec2(middle, room.y - margin()), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
+        ImGui::SetNextWindowPos(ImVec2(middle, room.y - margin() - hash_corner_height(state)), ImGuiCond_Always,
+                                ImVec2(0.5f, 1.0f));
         ImGui::Begin(i == 0 ? "grid side" : "brute force side", nullptr, fixed);
         split_counts(*sides[i]);
         ImGui::End();

@@ -13,6 +13,7 @@
 #include "ui/inspection.h"
 #include "ui/options.h"
 #include "ui/probe.h"
+#include "ui/share.h"
 #include "ui/stepping.h"
 
 namespace ballpit::ui {
@@ -74,6 +75,8 @@ struct State {
     const SteppingState* stepping = nullptr;  // never null in the window
     const Inspection* inspection = nullptr;   // null while no panel looks into the buffers
     const ProbeState* probe = nullptr;        // never null in the window
+
+    const ShareState* share = nullptr;  // never null in the window
 
     std::string_view message;  // empty: none
     bool close_popups = false;

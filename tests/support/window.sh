@@ -6,6 +6,7 @@
 set -euo pipefail
 
 work=$(mktemp -d)
+export XDG_CONFIG_HOME="$work/config" XDG_DATA_HOME="$work/data"   # never the settings of who runs the tests
 patience=90   # s for one thing to happen
 app=
 display_server=
@@ -67,6 +68,7 @@ has_window() {
 }
 
 start_app() {
+    [ -n "${remembering:-}" ] || rm -rf "$XDG_CONFIG_HOME"   # else each start is a first one
     "$binary" "$@" >"$work/log" 2>&1 &
     app=$!
     wait_for "the window" has_window

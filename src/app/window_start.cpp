@@ -1,0 +1,71 @@
+// `ballpit`: what the window starts with, from the command line and from what it remembers.
+#include "app/commands.h"
+#include "app/setup.h"
+#include "app/share_code.h"
+#include "app/shared_run.h"
+#include "app/user_folders.h"
+#include "app/user_settings.h"
+#include "app/window.h"
+#include "core/error.h"
+
+namespace ballpit::app {
+
+namespace {
+
+// The command line says what to show: then nothing that was left yesterday counts.
+bool chosen(const Options& options) {
+    return options.scene_given || !options.set.empty() || options.seed || !options.code.empty();
+}
+
+Options with_last_scene(Options options, const UserSettings& user) {
+    options.scene = user.scene;
+    options.seed = user.seed;
+    for (const auto& [key, value] : user.changed) {
+        options.set.push_back(key + "=" + value);
+    }
+    return options;
+}
+
+// A scene file that is gone, or a setting that it no longer has, must not keep the window from opening.
+Setup make_window_setup(const Options& options, const UserSettings& user, std::string& message) {
+    if (!chosen(options) && !user.scene.empty()) {
+        try {
+            return make_setup(with_last_scene(options, user));
+        } catch (const InputError& error) {
+            message = "The last scene does not come back: " + std::string(error.what());
+        }
+    }
+    return make_setup(options);
+}
+
+}  // namespace
+
+int open_window(const Options& options) {
+    WindowOptions window;
+    window.user_folder = config_folder();
+    if (!options.fresh) {
+        LoadedSettings loaded = load_user_settings(window.user_folder);
+        window.user = std::move(loaded.settings);
+        window.message = std::move(loaded.message);
+    }
+    Setup setup = make_window_setup(options, window.user, window.message);
+    window.gallery = list_scenes(setup.paths.assets);
+    if (!options.code.empty()) {
+        shared_scene(decode_share_code(options.code), window.gallery);  // what is wrong with it is told at once
+        window.code = options.code;
+    }
+    window.scene = std::move(setup.scene);
+    window.scene_file = setup.scene_file.string();
+    window.settings = setup.settings;
+    window.seed = setup.seed;
+    // What is remembered is a wish: on another machine the GPU that was asked for may not be there.
+    const bool remembered_cpu = !options.backend_given && window.user.backend == "cpu";
+    window.backend = remembered_cpu ? "cpu" : options.backend;
+    window.assets_folder = setup.paths.assets;
+    window.shader_folder = setup.paths.shaders;
+    window.model_file =
+        options.model.empty() ? setup.paths.assets / "models" / "ball.obj" : std::filesystem::path(options.model);
+    return run_window(window);
+}
+
+}  // namespace ballpit::app
