@@ -63,8 +63,8 @@ MUTANTS = [
        "if (id != a.id && !(x > middle.x && y > middle.y && z > middle.z)) {")],
      "A25 forces*"),
     ("cells of the mean radius",
-     [("src/core/simulation.cpp", "largest = std::max(largest, p.w);",
-       "largest += p.w / static_cast<float>(positions.size());")], [], ""),
+     [("src/core/world.cpp", "largest = std::max(largest, position.w);",
+       "largest += position.w / static_cast<float>(balls.positions.size());")], [], ""),
     ("cells half as wide",
      [("src/core/grid.cpp", "2.0 * r_max * cell_factor", "r_max * cell_factor")], [], ""),
     ("the mass of the other ball is one's own",
@@ -122,13 +122,17 @@ MUTANTS = [
 
 
 def spoil(root, edits):
-    """Applies the edits below `root`, wherever the text occurs; a text that is not there is an error of the table."""
+    """Applies the edits below `root`, wherever the text occurs."""
     for name, right, wrong in edits:
         file = root / name
-        text = file.read_text(encoding="utf-8")
-        if right not in text:
-            sys.exit(f"mutants.py: {name} has no \"{right}\"; the table must follow the program")
-        file.write_text(text.replace(right, wrong), encoding="utf-8")
+        file.write_text(file.read_text(encoding="utf-8").replace(right, wrong), encoding="utf-8")
+
+
+def check_table():
+    for name, host, shaders, _ in MUTANTS:
+        for file, right, _ in host + shaders:
+            if right not in (ROOT / file).read_text(encoding="utf-8"):
+                sys.exit(f"mutants.py: '{name}' wants to change \"{right}\", which {file} no longer has")
 
 
 def cases_that_fail(executable, arguments, environment):
@@ -243,6 +247,7 @@ def main():
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "mutants")
     parser.add_argument("--gpu", choices=["all", "quick"], default="all")
     options = parser.parse_args()
+    check_table()
     if options.quick:
         lived = quick(options.quick.resolve())
     else:

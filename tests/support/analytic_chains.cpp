@@ -51,6 +51,7 @@ constexpr double chain_spacing = 0.25 - chain_overlap;
 
 Scene chain_scene(Integrator integrator, double dt, double kick) {
     std::vector<BallSpec> balls;
+    balls.reserve(101);
     for (int i = 0; i < 101; ++i) {
         balls.push_back(ball({chain_spacing * (i - 50), 0, 0}, {i == 50 ? kick : 0.0, 0, 0}, 0.125));
     }
@@ -106,10 +107,10 @@ void a13_kicked_chain(const Machine& machine) {
             const Scene scene = chain_scene(integrator, dt, kick);
             const Motion end = motion_after(machine, scene, 10.0 / wall_frequency);
             double worst = 0.0;
-            for (int n = 0; n <= 12; n += 2) {
-                const double exact = bessel_j(2 * n, 20.0);
-                const double right = end.v[static_cast<std::size_t>(50 + n)].x / kick;
-                const double left = end.v[static_cast<std::size_t>(50 - n)].x / kick;
+            for (std::size_t n = 0; n <= 12; n += 2) {
+                const double exact = bessel_j(static_cast<int>(2 * n), 20.0);
+                const double right = end.v[50 + n].x / kick;
+                const double left = end.v[50 - n].x / kick;
                 worst = std::max({worst, std::abs(right - exact), std::abs(left - exact)});
                 CHECK(std::abs(right - left) <= machine.tolerance(1e-10, 5e-4));
             }

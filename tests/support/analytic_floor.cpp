@@ -22,6 +22,7 @@ constexpr double floor_depth = 1.125;  // m below the middle of the box
 // Sixteen balls let go with their centres around 1.1 m over the floor.
 Scene bounce_scene(Integrator integrator, double dt) {
     std::vector<BallSpec> balls;
+    balls.reserve(16);
     for (int i = 0; i < 16; ++i) {
         balls.push_back(ball({0.0, 0.0, 1.1 - floor_depth + 0.01 * (i - 7.5) / 8.0}, {}));
     }

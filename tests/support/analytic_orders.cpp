@@ -45,6 +45,7 @@ double mean_size(const Values& values, const Error& error) {
 // 64 balls thrown at different speeds, away from each other.
 Scene throws(Integrator integrator, double dt, bool drag) {
     std::vector<BallSpec> balls;
+    balls.reserve(64);
     for (int i = 0; i < 64; ++i) {
         balls.push_back(ball({}, {0.05 * i, 0, 2.0 + 0.125 * i}));
     }
@@ -95,6 +96,7 @@ double damped_error(const Machine& machine, Integrator integrator, double n) {
 // Where balls let go at 64 heights are after 1 s and one or two bounces.
 double bounce_error(const Machine& machine, Integrator integrator, double n) {
     std::vector<BallSpec> balls;
+    balls.reserve(64);
     for (int i = 0; i < 64; ++i) {
         balls.push_back(ball({0, 0, 0.001 * (i - 31.5)}, {}));
     }

@@ -40,7 +40,7 @@ std::vector<dvec3> exact_velocities(Simulation& simulation, cpu::CpuBackend<doub
     const Schedule& schedule = simulation.schedule();
     const auto before = reference.save();
     reference.run(schedule, kick, 0, schedule.dispatches.size());
-    const auto velocities = in_double(schedule.in_place ? reference.velocities() : reference.next_velocities());
+    auto velocities = in_double(schedule.in_place ? reference.velocities() : reference.next_velocities());
     reference.restore(*before, schedule);
     return velocities;
 }
@@ -127,7 +127,8 @@ std::vector<dvec3> positions_of(Simulation& simulation) {
 }
 
 dvec3 bench(std::size_t i, double spacing) {
-    const auto row = static_cast<double>(i / 8);
+    const std::size_t whole = i / 8;
+    const auto row = static_cast<double>(whole);
     const auto place = static_cast<double>(i % 8);
     return {0.0, spacing * (place - 3.5), spacing * (row - 3.5)};
 }
@@ -189,6 +190,7 @@ std::vector<Collision> collide(const Machine& machine, const Settings& settings,
 
 std::vector<Encounter> at_64_phases(const BallSpec& left, const BallSpec& right, double offset) {
     std::vector<Encounter> encounters;
+    encounters.reserve(64);
     for (int i = 0; i < 64; ++i) {
         encounters.push_back({left, right, offset, (i + 0.5) / 64.0});
     }

@@ -90,7 +90,7 @@ std::vector<double> heights(Simulation& simulation) {
     return result;
 }
 
-double maxwell_chi_squared(std::vector<double> speeds, int bins) {
+double maxwell_chi_squared(const std::vector<double>& speeds, int bins) {
     double square = 0.0;
     for (const double v : speeds) {
         square += v * v / static_cast<double>(speeds.size());

@@ -28,6 +28,6 @@ std::vector<double> heights(Simulation& simulation);
 
 /// chi^2 per degree of freedom of `speeds` against Maxwell's distribution of the same mean square, in `bins` of equal
 /// probability.
-double maxwell_chi_squared(std::vector<double> speeds, int bins);
+double maxwell_chi_squared(const std::vector<double>& speeds, int bins);
 
 }  // namespace ballpit::test
