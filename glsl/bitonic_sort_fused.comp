@@ -24,7 +24,7 @@ void compare_exchange(uint pair, uint first_slot, uint k, uint j) {
 }
 
 void main() {
-    uint first_slot = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * SORT_TILE_SIZE;
+    uint first_slot = (gl_WorkGroupID.y * FOLDED_WIDTH + gl_WorkGroupID.x) * SORT_TILE_SIZE;
     // Fewer keys than a tile: the rest of the tile takes part as sentinels and is not written back.
     for (uint i = gl_LocalInvocationIndex; i < SORT_TILE_SIZE; i += SORT_GROUP_SIZE) {
         tile[i] = first_slot + i < params.key_count ? keys[first_slot + i] : Key(SENTINEL, SENTINEL);

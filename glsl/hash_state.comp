@@ -35,7 +35,7 @@ void main() {
     }
     memoryBarrierShared();
     barrier();
-    uint ball = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * GROUP_SIZE + gl_GlobalInvocationID.x;
+    uint ball = gl_GlobalInvocationID.y * (FOLDED_WIDTH * GROUP_SIZE) + gl_GlobalInvocationID.x;
     if (ball < dispatch_constants.y) {
         uvec2 sum = uvec2(0u);
         add(floatBitsToUint(positions[ball]), 8u * ball, sum);

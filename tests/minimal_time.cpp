@@ -167,8 +167,8 @@ Comparison interleaved(const Sample& a, const Sample& b, int rounds, int repeats
             timer.mark(which);
         }
         timer.end();
+        glFinish();  // seconds of work in the queue are more than some systems let a device have
     }
-    glFinish();
     std::array<std::vector<double>, 2> ms;
     std::vector<double> ratios;
     for (const gl::SpanTimer::Span& span : timer.take()) {

@@ -8,6 +8,7 @@
 #define GROUP_SIZE 64             // threads of a work group, one ball, slot or cell each
 #define SORT_GROUP_SIZE 512       // threads of a work group of the fused sort
 #define SORT_TILE_SIZE 2048       // keys a work group sorts in shared memory (8 B each: 16 KiB of the 32 KiB)
+#define FOLDED_WIDTH 32768        // groups of a row, where a dispatch has more than the 65535 that GL guarantees
 
 #define SENTINEL 0xFFFFFFFFu      // cell id and ball id of the keys that pad to a power of two: they sort last
 

@@ -8,7 +8,6 @@ namespace ballpit {
 namespace {
 
 constexpr std::uint32_t widest_dispatch = 65535;  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least this
-constexpr std::uint32_t folded_width = 32768;
 
 bool needs_grid(Features features) { return features.has(Feature::contact) && !features.has(Feature::brute_force); }
 
@@ -126,7 +125,7 @@ Groups groups_for(std::uint32_t invocations, std::uint32_t group_size) {
     if (groups <= widest_dispatch) {
         return {groups, 1};
     }
-    return {folded_width, (groups + folded_width - 1) / folded_width};
+    return {FOLDED_WIDTH, (groups + FOLDED_WIDTH - 1) / FOLDED_WIDTH};
 }
 
 Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort) {
