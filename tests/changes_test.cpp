@@ -92,6 +92,30 @@ TEST_CASE("a restart takes balls that were thrown in away again", "[changes]") {
     CHECK_FALSE(simulation.variety().radii);
 }
 
+TEST_CASE("back before balls were thrown in everything is as it was", "[changes]") {
+    Simulation simulation = running("gravity,contact,restitution,walls");
+    const Features features = simulation.features();
+    const Checkpoint before = simulation.checkpoint();
+    simulation.step();
+    const std::uint64_t ahead = hash_state(simulation.raw_state());
+    simulation.restore(before);
+    simulation.apply(two_balls());
+    Settings settings = simulation.settings();
+    settings.walls_low = {0.1, 0.0, 0.0};
+    settings.laws.ball_restitution = true;
+    simulation.change(settings);
+    simulation.step();
+    CHECK(simulation.features() != features);
+    simulation.restore(before);
+    CHECK(simulation.features() == features);
+    CHECK_FALSE(simulation.variety().radii);
+    CHECK(simulation.restitutions().empty());
+    CHECK(simulation.added() == 0);
+    CHECK(simulation.box() == simulation.scene_box());
+    simulation.step();
+    CHECK(hash_state(simulation.raw_state()) == ahead);
+}
+
 TEST_CASE("fewer balls take those away first that were thrown in", "[changes]") {
     Simulation simulation = running("gravity,contact,walls");
     simulation.apply(two_balls());

@@ -8,6 +8,7 @@
 #include "support/gl_fixture.h"
 #include "support/gpu_backend.h"
 #include "support/law_scenes.h"
+#include "support/shader_copy.h"
 
 using namespace ballpit;
 using test::GlFixture;
@@ -129,6 +130,28 @@ TEST_CASE_METHOD(GlFixture, "walls that move, a shaken box, a pulled ball and ba
             CAPTURE(integrator_names[integrator], parts);
             check_scene(scene, settings, 2, 1);
         }
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "a law that declares nothing and is left in disagrees with the mirror", "[gpu-check]") {
+    // Those that declare something are noticed by their names (programs_golden_gpu_test).
+    struct LeftIn {
+        const char* file;
+        const char* condition;
+    };
+    for (const LeftIn& law : {LeftIn{"shared/contact.glsl", "#ifdef LAW_LIMIT_FORCE"},
+                              LeftIn{"collide.comp", "#if defined(INTEGRATOR_FORWARD_EULER)"},
+                              LeftIn{"collide.comp", "#elif defined(INTEGRATOR_HISTORICAL)"}}) {
+        const test::ShaderCopy copy;
+        const std::string always = std::string(law.condition).starts_with("#elif") ? "#elif 1" : "#if 1";
+        copy.replace(law.file, law.condition, always);
+        Scene scene = test::mono_pile_scene(100);
+        scene.fill->region = {dvec3(-0.4), dvec3(0.4)};
+        scene.settings.limit_force = false;
+        Simulation simulation(scene, scene.settings, 1, std::make_unique<gpu::GpuBackend>(copy.path()));
+        cpu::CpuBackend<float> mirror;
+        CAPTURE(law.condition);
+        CHECK_FALSE(measure::check(simulation, mirror, 10).passed());
     }
 }
 

@@ -284,13 +284,13 @@ int report(const std::exception& error, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    Options options;
-    CLI::App app("Times the shaders of three scenes against shaders written by hand", "minimal_time");
-    app.add_option("--rounds", options.rounds, "Rounds of A B")->check(CLI::Range(1, 10000))->capture_default_str();
-    app.add_option("--balls", options.balls, "Counts instead of the usual ones")->delimiter(',');
-    app.add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
-    CLI11_PARSE(app, argc, argv);
     try {
+        Options options;
+        CLI::App app("Times the shaders of three scenes against shaders written by hand", "minimal_time");
+        app.add_option("--rounds", options.rounds, "Rounds of A B")->check(CLI::Range(1, 10000))->capture_default_str();
+        app.add_option("--balls", options.balls, "Counts instead of the usual ones")->delimiter(',');
+        app.add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
+        CLI11_PARSE(app, argc, argv);
         return run(options);
     } catch (const gl::ShaderError& error) {
         return report(error, 2);
