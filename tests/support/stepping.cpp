@@ -60,37 +60,47 @@ Doing settings_edit(Edit edit) {
     };
 }
 
-std::vector<Doing> all_doings() {
+// What is done at one moment, one after the other, moment by moment. There and back at the same moment leaves its
+// trace, too: velocities have been brought to the time of positions.
+std::vector<std::vector<Doing>> all_doings() {
+    const auto edit = [](auto what) { return std::vector<Doing>{settings_edit(what)}; };
     return {
-        settings_edit([](Settings& s) {
+        edit([](Settings& s) {
             s.walls_low = {0.2, 0.0, 0.01};
         }),
-        settings_edit([](Settings& s) { s.laws.shake = true; }),
-        [](const Simulation&) -> Change {
+        edit([](Settings& s) { s.laws.shake = true; }),
+        {[](const Simulation&) -> Change {
             return AddBalls{{{{0.3, 0.1, 0.9}, {0, 0, -5}, 0.05, 20.0, std::nullopt},
                              {{-0.3, 0.1, 0.9}, {0, 3, 0}, 0.25, 1.0, std::nullopt}}};
-        },
-        settings_edit([](Settings& s) {
+        }},
+        edit([](Settings& s) {
             s.pull = Pull{41, {0.5, 0.5, 0.5}};
         }),
-        settings_edit([](Settings& s) {
+        edit([](Settings& s) {
             s.pull->target = {-0.5, 0.5, 0.5};
         }),
-        settings_edit([](Settings& s) { s.laws = parse_laws("gravity"); }),  // in place from here
-        settings_edit([](Settings& s) {
+        {settings_edit([](Settings& s) { s.laws.drag = false; }),
+         settings_edit([](Settings& s) { s.laws.drag = true; }), settings_edit([](Settings& s) { s.drag = 3.0; }),
+         settings_edit([](Settings& s) { s.drag = 0.5; })},
+        edit([](Settings& s) { s.laws = parse_laws("gravity"); }),  // in place from here
+        edit([](Settings& s) {
             s.walls_high = {0.0, 0.0, -0.3};
         }),
-        settings_edit([](Settings& s) { s.laws = parse_laws("drag,walls,restitution,shake"); }),
-        settings_edit([](Settings& s) { s.balls = 20; }),
-        settings_edit([](Settings& s) { s.laws = parse_laws("gravity,contact,walls,ball_restitution,diagnostics"); }),
-        settings_edit([](Settings& s) { s.pull.reset(); }),
-        settings_edit([](Settings& s) { s.integrator = Integrator::velocity_verlet; }),
-        settings_edit([](Settings& s) { s.neighbours = NeighbourSearch::brute_force; }),
-        [](const Simulation&) -> Change {
+        edit([](Settings& s) { s.laws = parse_laws("drag,walls,restitution,shake"); }),
+        edit([](Settings& s) { s.balls = 20; }),
+        edit([](Settings& s) { s.laws = parse_laws("gravity,contact,walls,ball_restitution,diagnostics"); }),
+        edit([](Settings& s) { s.pull.reset(); }),
+        {settings_edit([](Settings& s) {
+             s.pull = Pull{3, {0.5, 0.5, 0.5}};
+         }),
+         settings_edit([](Settings& s) { s.pull.reset(); })},
+        edit([](Settings& s) { s.integrator = Integrator::velocity_verlet; }),
+        edit([](Settings& s) { s.neighbours = NeighbourSearch::brute_force; }),
+        {[](const Simulation&) -> Change {
             return AddBalls{{{{0.0, 0.0, 0.5}, {0, 0, -5}, 0.1, 1.0, std::nullopt}}};
-        },
-        settings_edit([](Settings& s) { s.balls = 45; }),
-        settings_edit([](Settings& s) { s.walls_low = dvec3(0.0); }),
+        }},
+        edit([](Settings& s) { s.balls = 45; }),
+        edit([](Settings& s) { s.walls_low = dvec3(0.0); }),
     };
 }
 
@@ -132,9 +142,11 @@ void check_every_position(Simulation& simulation) {
 void check_changes_at_every_position(Simulation& simulation) {
     Stepper stepper(simulation, budget);
     std::map<Position, AllSlots> seen;
-    const std::vector<Doing> doings = all_doings();
-    for (const Doing& doing : doings) {
-        stepper.change(doing(simulation));
+    const auto doings = all_doings();
+    for (const std::vector<Doing>& at_once : doings) {
+        for (const Doing& doing : at_once) {
+            stepper.change(doing(simulation));
+        }
         seen[stepper.position()] = all_slots(simulation.backend());
         const std::uint64_t until = simulation.step_count() + 2;
         while (simulation.step_count() < until) {
