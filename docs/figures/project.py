@@ -92,7 +92,7 @@ def rows_of(name):
 
 
 def performance():
-    rows = rows_of("2026-11-21_h100_bench.csv")
+    rows = rows_of("2026-11-22_h100_bench.csv")
     p = Picture(960, 560, "Milliseconds per substep and stage over the number of balls, NVIDIA H100")
     p.text(40, 38, "NVIDIA H100: ms a substep, median of 40 (rain)", 18, bold=True)
     axes = Axes(p, (90, 90, 600, 390), (1000, 1048576), (0.005, 5), log_x=True, log_y=True)
