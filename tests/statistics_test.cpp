@@ -110,8 +110,9 @@ TEST_CASE("A21 equipartition", "[statistics]") {
     constexpr double side = 2.3;
     std::vector<BallSpec> balls;
     for (std::uint32_t i = 0; i < 1000; ++i) {
-        const dvec3 place((i % 10) * 0.1 - 0.45, (i / 10 % 10) * 0.1 - 0.45, (i / 100) * 0.1 - 0.45);
-        const bool heavy = (i + i / 10 + i / 100) % 2 == 0;
+        const uvec3 cell(i % 10, i / 10 % 10, i / 100);
+        const dvec3 place = 0.1 * dvec3(cell) - 0.45;
+        const bool heavy = (cell.x + cell.y + cell.z) % 2 == 0;
         const double z = 2.0 * random_unit(1, 0, i) - 1.0;
         const double angle = 2.0 * pi * random_unit(1, 1, i);
         const dvec3 direction(std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle), z);
