@@ -60,7 +60,7 @@ std::string encode_share_code(const SharedCode& code);
 
 /// White space around and within is no part of a code: mail programs break lines. Throws InputError in one sentence: no
 /// code of ours, of another version, cut off or damaged, or a content that makes no sense.
-SharedCode decode_share_code(std::string_view text);
+SharedCode decode_share_code(std::string_view given);
 
 /// Whether a text (such as the clipboard's) is meant as a share code.
 bool looks_like_share_code(std::string_view text);

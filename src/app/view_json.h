@@ -23,10 +23,10 @@ struct Shown {
 nlohmann::json shown_json(const Shown& shown);
 /// Keys that are absent keep their defaults, keys that are unknown are passed over. Throws InputError with file and
 /// JSON pointer for a value of another kind or out of its range.
-Shown read_shown(const JsonValue& json);
+Shown read_shown(const JsonValue& value);
 
 /// [x, y, z, yaw, pitch, field of view]
 nlohmann::json camera_json(const view::Camera& camera);
-view::Camera read_camera(const JsonValue& json);
+view::Camera read_camera(const JsonValue& value);
 
 }  // namespace ballpit::app

@@ -21,7 +21,7 @@ Options with_last_scene(Options options, const UserSettings& user) {
     options.scene = user.scene;
     options.seed = user.seed;
     for (const auto& [key, value] : user.changed) {
-        options.set.push_back(key + "=" + value);
+        options.set.emplace_back(key).append("=").append(value);
     }
     return options;
 }

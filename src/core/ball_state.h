@@ -12,10 +12,10 @@
 namespace ballpit {
 
 struct BallState {
-    std::vector<vec4> positions;      // centre (m), radius (m)
-    std::vector<vec4> velocities;     // velocity (m/s), mass (kg)
+    std::vector<vec4> positions;       // centre (m), radius (m)
+    std::vector<vec4> velocities;      // velocity (m/s), mass (kg)
     std::vector<double> restitutions;  // one a ball where some ball has its own, else empty
-    double velocity_lag = 0.0;        // s by which velocities stand behind positions (integrator.h)
+    double velocity_lag = 0.0;         // s by which velocities stand behind positions (integrator.h)
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(positions.size()); }
 };

@@ -88,7 +88,7 @@ public:
     const Variety& variety() const { return variety_; }
     double velocity_lag() const { return velocity_lag_; }
     const std::vector<double>& restitutions() const { return restitutions_; }  // a ball each, or empty
-    std::uint32_t added() const { return added_; }                            // balls beyond those of the scene
+    std::uint32_t added() const { return added_; }                             // balls beyond those of the scene
     /// Another number: another schedule.
     std::uint64_t schedule_changes() const { return schedule_changes_; }
     std::uint64_t seed() const { return seed_; }
