@@ -1,6 +1,7 @@
 #include "core/simulation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 #include <string>
 #include <utility>
@@ -72,22 +73,41 @@ void Simulation::set_schedule(std::uint32_t ball_count) {
     ++schedule_changes_;
 }
 
-Walls Simulation::walls() const {
-    const double dt = substep_dt();
-    return walls_move() ? moving_walls(scene_box_, walls_, advance(walls_, settings_, scene_box_, wall_room(), dt), dt)
-                        : Walls(box());
+Walls Simulation::walls(const Settings& settings) const {
+    const double dt = substep_dt(settings);
+    return ballpit::walls_move(walls_, settings, scene_box_, wall_room())
+               ? moving_walls(scene_box_, walls_, advance(walls_, settings, scene_box_, wall_room(), dt), dt)
+               : Walls(box());
 }
 
-SubstepParams<double> Simulation::params() const {
-    const SubstepMotion motion = substep_motion(settings_.integrator, drag(), substep_dt(), velocity_lag_);
-    return make_substep_params(settings_, walls(), schedule_.grid, motion, schedule_.ball_count, variety_);
+SubstepParams<double> Simulation::params() const { return params_for(settings_, schedule_, variety_); }
+
+SubstepParams<double> Simulation::params_for(const Settings& settings, const Schedule& schedule,
+                                             const Variety& variety) const {
+    const SubstepMotion motion =
+        substep_motion(settings.integrator, drag(settings), substep_dt(settings), velocity_lag_);
+    return make_substep_params(settings, walls(settings), schedule.grid, motion, schedule.ball_count, variety);
+}
+
+Plan Simulation::plan(const Settings& settings) const {
+    assert(settings.balls == settings_.balls);
+    Plan plan;
+    plan.restitutions = ball_restitutions(scene_, settings, settings.balls);
+    Variety variety = variety_;
+    variety.restitutions = !plan.restitutions.empty();
+    plan.schedule = scene_schedule(settings, scene_box_, walls_, largest_radius_, variety, settings.balls);
+    plan.params = params_for(settings, plan.schedule, variety);
+    if (!plan.schedule.features.has(Feature::ball_restitution)) {
+        plan.restitutions.clear();  // no law asks for them
+    }
+    return plan;
 }
 
 void Simulation::advance_walls() {
     if (!walls_move()) {
         return;
     }
-    walls_ = advance(walls_, settings_, scene_box_, wall_room(), substep_dt());
+    walls_ = advance(walls_, settings_, scene_box_, wall_room(), substep_dt(settings_));
     if (!walls_move()) {  // arrived: from here on their velocity is not asked for
         set_schedule(schedule_.ball_count);
         backend_->reschedule(schedule_);
@@ -98,7 +118,8 @@ void Simulation::end_substep() {
     if (!schedule_.in_place) {
         backend_->swap_states();
     }
-    velocity_lag_ = substep_motion(settings_.integrator, drag(), substep_dt(), velocity_lag_).lag_after;
+    velocity_lag_ =
+        substep_motion(settings_.integrator, drag(settings_), substep_dt(settings_), velocity_lag_).lag_after;
     advance_walls();
     ++substeps_since_base_;
     ++substep_;
@@ -157,7 +178,9 @@ void Simulation::restore(const Checkpoint& checkpoint) {
     backend_->restore(*checkpoint.state, schedule_);
 }
 
-double Simulation::time() const { return time_base_ + static_cast<double>(substeps_since_base_) * substep_dt(); }
+double Simulation::time() const {
+    return time_base_ + static_cast<double>(substeps_since_base_) * substep_dt(settings_);
+}
 
 void Simulation::rebase_clock() {
     time_base_ = time();
@@ -174,7 +197,12 @@ void Simulation::change(const Settings& wanted) {
     if (other_count || other_program || other_damping) {
         World world;
         if (other_count) {
-            world = make_world(scene_, wanted.balls, seed_);  // may throw: nothing has changed yet
+            // Fewer balls than there are need nothing new; those that were thrown in are none of the scene's.
+            const std::uint32_t own = settings_.balls - added_;
+            const bool fewer = wanted.balls < settings_.balls;
+            world = make_world(scene_, fewer ? std::min(wanted.balls, own) : wanted.balls, seed_);  // may throw
+            world.balls.positions.resize(wanted.balls);
+            world.balls.velocities.resize(wanted.balls);
         }
         BallState state = synchronised_state();
         rebase_clock();
@@ -244,8 +272,8 @@ BallState Simulation::synchronised_state() {
         return state;
     }
     const auto params =
-        make_substep_params(settings_, walls(), schedule_.grid, synchronising_motion(drag(), velocity_lag_),
-                            schedule_.ball_count, variety_);
+        make_substep_params(settings_, walls(settings_), schedule_.grid,
+                            synchronising_motion(drag(settings_), velocity_lag_), schedule_.ball_count, variety_);
     const auto before = schedule_.in_place ? backend_->save() : nullptr;
     const Bytes status = backend_->read(Slot::status);
     backend_->run(schedule_, params, 0, schedule_.dispatches.size());  // a kick without a drift: not a substep

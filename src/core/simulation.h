@@ -37,6 +37,13 @@ struct AddBalls {
     std::vector<BallSpec> balls;
 };
 
+/// A substep as data: what would run, with which constants, and the restitutions that the device would hold.
+struct Plan {
+    Schedule schedule;
+    SubstepParams<double> params;
+    std::vector<double> restitutions;
+};
+
 /// What a user does to a running scene. All of it goes this way, so that it can be remembered and done again.
 using Change = std::variant<Settings, AddBalls>;
 
@@ -54,6 +61,9 @@ public:
     const Schedule& schedule() const { return schedule_; }
     SubstepParams<double> params() const;
     void end_substep();
+
+    /// The next substep of the present balls as it would be with other settings of the same count; nothing changes.
+    Plan plan(const Settings& settings) const;
 
     /// At the start of a substep. The checkpoint belongs to this backend and scene.
     Checkpoint checkpoint();
@@ -107,11 +117,12 @@ private:
     bool walls_move() const { return ballpit::walls_move(walls_, settings_, scene_box_, wall_room()); }
     Features wanted_features(const Settings& settings) const;
     void set_schedule(std::uint32_t ball_count);
-    Walls walls() const;
+    Walls walls(const Settings& settings) const;
+    SubstepParams<double> params_for(const Settings& settings, const Schedule& schedule, const Variety& variety) const;
     void advance_walls();
     void rebase_clock();
-    double substep_dt() const { return settings_.dt / settings_.substeps; }
-    double drag() const { return settings_.laws.drag ? settings_.drag : 0.0; }
+    static double substep_dt(const Settings& settings) { return settings.dt / settings.substeps; }
+    static double drag(const Settings& settings) { return settings.laws.drag ? settings.drag : 0.0; }
     double wall_room() const { return 2.0 * largest_radius_; }
 
     Scene scene_;

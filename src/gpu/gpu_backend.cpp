@@ -37,7 +37,10 @@ std::string gl_text(GLenum name) {
 }  // namespace
 
 GpuBackend::GpuBackend(std::filesystem::path shader_folder)
-    : programs_(shader_folder), hasher_(std::move(shader_folder)) {
+    : GpuBackend(std::make_shared<Programs>(std::move(shader_folder))) {}
+
+GpuBackend::GpuBackend(std::shared_ptr<Programs> programs)
+    : programs_(std::move(programs)), hasher_(programs_->folder()) {
     if (GLAD_GL_VERSION_4_3 == 0) {
         throw gl::Error("the GPU backend needs OpenGL 4.3, this context has " + gl_text(GL_VERSION));
     }
@@ -96,7 +99,7 @@ void GpuBackend::reschedule(const Schedule& schedule) {
     write(Slot::cell_ranges,
           std::as_bytes(std::span<const CellRange>(std::vector(schedule.cell_count, CellRange{0, 0}))));
     for (const Dispatch& dispatch : schedule.dispatches) {
-        programs_.get(dispatch.program);  // compile now, so that no substep waits for it
+        programs_->get(dispatch.program);  // compile now, so that no substep waits for it
     }
 }
 
@@ -112,7 +115,7 @@ void GpuBackend::use(Slot slot, Use use) { barrier(hazards_.before_use(slot, use
 
 void GpuBackend::run_dispatch(const Dispatch& dispatch, const ShaderParams& params) {
     const gl::DebugGroup group(dispatch.name);
-    Programs::Compiled& compiled = programs_.get(dispatch.program);
+    Programs::Compiled& compiled = programs_->get(dispatch.program);
     compiled.program.use();
     compiled.params.bind(params);
     if (compiled.dispatch_constants >= 0) {

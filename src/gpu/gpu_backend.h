@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 #include "core/backend.h"
 #include "core/hazards.h"
@@ -18,6 +19,8 @@ class GpuBackend final : public Backend {
 public:
     /// Needs a current GL 4.3 context for as long as it lives. Throws gl::Error if it is older.
     explicit GpuBackend(std::filesystem::path shader_folder);
+    /// The same with programs that other backends of this context use, too.
+    explicit GpuBackend(std::shared_ptr<Programs> programs);
 
     std::string_view name() const override { return "gpu"; }
     std::string device() const override;
@@ -56,7 +59,7 @@ private:
     void use(Slot slot, Use use);
     void run_dispatch(const Dispatch& dispatch, const ShaderParams& params);
 
-    Programs programs_;
+    std::shared_ptr<Programs> programs_;
     std::array<gl::Buffer, slot_count> buffers_;
     std::array<std::size_t, slot_count> used_bytes_{};
     Hazards hazards_;

@@ -1,6 +1,8 @@
 #include "gpu/programs.h"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <string>
 
 namespace ballpit::gpu {
@@ -20,6 +22,7 @@ Programs::Compiled& Programs::get(const Program& program) {
     if (found != compiled_.end()) {
         return found->second;
     }
+    const auto start = std::chrono::steady_clock::now();
     const std::string file = std::string(shader_name(program.shader)) + ".comp";
     const std::array stages = {
         gl::ShaderStage{GL_COMPUTE_SHADER, gl::load_shader(folder_, file, defines_of(program.features))}};
@@ -27,7 +30,21 @@ Programs::Compiled& Programs::get(const Program& program) {
     compiled.program = gl::Program(stages);
     compiled.params = ParamsBlock(compiled.program);
     compiled.dispatch_constants = compiled.program.uniform("dispatch_constants");
+    if (!shipped_.empty() && !shipped_.contains(program)) {
+        const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+        on_demand_.push_back({program, spent.count()});
+    }
     return compiled_.emplace(program, std::move(compiled)).first->second;
+}
+
+bool Programs::build_one() {
+    const auto missing =
+        std::ranges::find_if(shipped_, [this](const Program& program) { return !compiled_.contains(program); });
+    if (missing == shipped_.end()) {
+        return false;
+    }
+    get(*missing);
+    return true;
 }
 
 }  // namespace ballpit::gpu

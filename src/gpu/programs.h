@@ -1,9 +1,12 @@
-// Compiled programs, without data: changing the scene keeps them. Each permutation is compiled when it is first
-// asked for.
+// Compiled programs, without data: changing the scene or the backend keeps them. Those that shipped scenes use can be
+// built ahead; any other permutation is compiled when it is first asked for, and noted.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <set>
+#include <span>
+#include <vector>
 
 #include "core/schedule.h"
 #include "gl/program.h"
@@ -24,9 +27,25 @@ public:
     /// Throws gl::ShaderError with file, line and the driver's log.
     Compiled& get(const Program& program);
 
+    /// The programs that are worth building ahead.
+    void set_shipped(std::span<const Program> programs) { shipped_.insert(programs.begin(), programs.end()); }
+    /// Compiles one of them that is not there yet; false when all are. Throws as get().
+    bool build_one();
+
+    /// A permutation that was compiled though it is none of those, and how long that took.
+    struct OnDemand {
+        Program program;
+        double ms;
+    };
+    std::span<const OnDemand> on_demand() const { return on_demand_; }
+
+    const std::filesystem::path& folder() const { return folder_; }
+
 private:
     std::filesystem::path folder_;
     std::map<Program, Compiled> compiled_;
+    std::set<Program> shipped_;
+    std::vector<OnDemand> on_demand_;
 };
 
 /// The #defines of a permutation.
