@@ -13,7 +13,7 @@ flat out float strength;
 const float reach = 3.0;                 // radii above the ground from where a ball darkens nothing
 
 void main() {
-    float height = (ball.z - ball.w + frame.half_extent.z) / ball.w;
+    float height = (ball.z - ball.w - frame.box_lower.z) / ball.w;
     float fade = min(1.0 - height / reach, 1.0);
     if (!is_finite(ball) || !(fade > 0.0)) {
         gl_Position = nowhere;
@@ -26,5 +26,5 @@ void main() {
     strength *= shown;
 #endif
     vec2 place = ball.xy + (1.35 + 0.4 * height) * ball.w * corner;
-    gl_Position = frame.view_projection * vec4(place, -frame.half_extent.z, 1.0);
+    gl_Position = frame.view_projection * vec4(place, frame.box_lower.z, 1.0);
 }

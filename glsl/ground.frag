@@ -7,8 +7,6 @@ in vec3 place;
 
 layout(location = 0) out vec4 colour;
 
-const float margin = 1.0;
-
 // 1 on a line through the multiples of `spacing`, blended to its share of the area where lines are too dense.
 float lines(vec2 at, float spacing, float pixels) {
     vec2 u = at / spacing;
@@ -20,11 +18,11 @@ float lines(vec2 at, float spacing, float pixels) {
 }
 
 void main() {
-    float around = margin * max(frame.half_extent.x, frame.half_extent.y);
-    vec2 outside = max(abs(place.xy) - frame.half_extent.xy, 0.0) / around;
+    vec2 beyond = max(frame.box_lower.xy - place.xy, place.xy - frame.box_upper.xy);
+    vec2 outside = max(beyond, 0.0) / frame.ground_reach;
     float presence = 1.0 - smoothstep(0.0, 1.0, length(outside));
     vec3 albedo = vec3(0.11, 0.13, 0.16);
-    vec2 from_corner = place.xy + frame.half_extent.xy;
+    vec2 from_corner = place.xy - frame.box_lower.xy;
     float line = max(0.35 * lines(from_corner, frame.ground_spacing, 1.0),
                      0.8 * lines(from_corner, 5.0 * frame.ground_spacing, 1.3));
     albedo = mix(albedo, vec3(0.36, 0.41, 0.48), line);

@@ -4,11 +4,10 @@
 
 out vec3 place;
 
-const float margin = 1.0;                // of the box, around it
-
 void main() {
-    vec2 corner = vec2((gl_VertexID & 1) != 0 ? 1.0 : -1.0, (gl_VertexID & 2) != 0 ? 1.0 : -1.0);
-    float around = margin * max(frame.half_extent.x, frame.half_extent.y);
-    place = vec3(corner * (frame.half_extent.xy + around), -frame.half_extent.z);
+    vec2 corner = vec2((gl_VertexID & 1) != 0 ? 1.0 : 0.0, (gl_VertexID & 2) != 0 ? 1.0 : 0.0);
+    vec2 lower = frame.box_lower.xy - frame.ground_reach;
+    vec2 upper = frame.box_upper.xy + frame.ground_reach;
+    place = vec3(mix(lower, upper, corner), frame.box_lower.z);
     gl_Position = frame.view_projection * vec4(place, 1.0);
 }

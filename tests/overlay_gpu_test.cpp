@@ -151,6 +151,34 @@ TEST_CASE_METHOD(GlFixture, "a line that passes the eye is cut, not smeared over
     CHECK(near_to(studio.at(studio.draw(), vec3(0)), vec3(255, 0, 0), 2.0f));
 }
 
+TEST_CASE_METHOD(GlFixture, "a tether leads from its ball to a point, wherever the ball is", "[view]") {
+    Inside studio;
+    studio.set_balls({vec4(0.5f, 0, 0, 0.1f), vec4(-0.5f, 0, 0, 0.1f)});
+    const Pixels bare = studio.draw();
+    studio.overlay.tether = Tether{1, vec3(-0.5f, 0, 0.8f), red};
+    const vec3 halfway(-0.5f, 0, 0.4f);
+    CHECK(near_to(studio.at(studio.draw(), halfway), vec3(255, 0, 0), 3.0f));
+    studio.set_balls({vec4(0.5f, 0, 0, 0.1f), vec4(-0.5f, 0, 0.6f, 0.1f)});
+    CHECK_FALSE(near_to(studio.at(studio.draw(), halfway), vec3(255, 0, 0), 3.0f));
+    studio.set_balls({vec4(0.5f, 0, 0, 0.1f), vec4(-0.5f, 0, 0, 0.1f)});
+    studio.overlay.tether->ball = 2;  // not there
+    CHECK(studio.draw() == bare);
+}
+
+TEST_CASE_METHOD(GlFixture, "the outline of a face lies in it", "[view]") {
+    std::vector<LineSegment> lines;
+    const view::Box box{vec3(-1, -2, -3), vec3(1, 2, 3)};
+    append_face(lines, box, 1, true, red);
+    REQUIRE(lines.size() == 4);
+    float length = 0.0f;
+    for (const LineSegment& line : lines) {
+        CHECK(line.from.y == 2.0f);
+        CHECK(line.to.y == 2.0f);
+        length += glm::distance(line.from, line.to);
+    }
+    CHECK(length == 2.0f * (2.0f + 6.0f));
+}
+
 TEST_CASE_METHOD(GlFixture, "a highlight is a ring round its ball, also where other balls hide it", "[view]") {
     Inside studio;
     const vec4 ball{0.2f, 0.1f, 0.1f, 0.6f};

@@ -101,11 +101,11 @@ TEST_CASE("the numbers are those of the buffers", "[stepping-ui]") {
     backend.run(schedule, simulation.params(), 0, 1);
     auto keys = read_slot<Key>(backend, Slot::keys);
     const auto positions = read_slot<vec4>(backend, Slot::positions);
-    const auto assigned = measure::assign_numbers(schedule, keys, positions, vec3(simulation.half_extent()));
+    const auto assigned = measure::assign_numbers(schedule, keys, positions, simulation.box());
     CHECK(assigned.balls == 300);
     CHECK(assigned.padding == 512 - 300);
     CHECK(assigned.outside == 0);
-    CHECK(measure::assign_numbers(schedule, keys, positions, vec3(0.0f)).outside == 300);
+    CHECK(measure::assign_numbers(schedule, keys, positions, Box(dvec3(0.0))).outside == 300);
     for (std::size_t i = 1; schedule.dispatches[i].stage == Stage::bitonic_sort; ++i) {
         const auto before = read_slot<Key>(backend, Slot::keys);
         backend.run(schedule, simulation.params(), i, i + 1);

@@ -57,6 +57,12 @@ TEST_CASE("keys do what the help page says", "[ui]") {
     CHECK(action_of(key(SDLK_RIGHTBRACKET), false) == Action::next_scene);
     CHECK(action_of(key(SDLK_g), false) == Action::toggle_occupancy);
     CHECK(action_of(key(SDLK_F3), false) == Action::toggle_timings);
+    CHECK(action_of(key(SDLK_F4), false) == Action::toggle_laws);
+    CHECK(action_of(key(SDLK_b), false) == Action::shoot_ball);
+    CHECK(action_of(key(SDLK_n), false) == Action::add_cluster);
+    CHECK(action_of(key(SDLK_h), false) == Action::toggle_hand);
+    CHECK(action_of(key(SDLK_z), false) == Action::toggle_shake);
+    CHECK_FALSE(action_of(key(SDLK_b), true));
     CHECK(action_of(key(SDLK_TAB), false) == Action::toggle_panels);
     CHECK(action_of(key(SDLK_F11), false) == Action::full_screen);
     CHECK(action_of(key(SDLK_HOME), false) == Action::camera_home);
@@ -66,7 +72,7 @@ TEST_CASE("keys do what the help page says", "[ui]") {
     CHECK(action_of(key(SDLK_f), false) == Action::share);
     CHECK(action_of(key(SDLK_s, KMOD_LCTRL), false) == Action::save_scene);
     CHECK(action_of(key(SDLK_v, KMOD_LCTRL), false) == Action::paste_code);
-    CHECK_FALSE(action_of(key(SDLK_z), false));
+    CHECK_FALSE(action_of(key(SDLK_y), false));
 }
 
 TEST_CASE("arrows and a clicker's keys step forth and back", "[ui]") {

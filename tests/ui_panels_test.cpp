@@ -20,8 +20,11 @@ const std::array<ui::SceneChoice, 3> scenes = {
 
 vec3 grey(float amount) { return vec3(amount); }
 
+const ui::PlayState play;
+
 ui::State full_state() {
     ui::State state;
+    state.play = &play;
     state.scenes = scenes;
     state.settings.balls = state.defaults.balls = 5000;
     for (const LawInfo& law : law_table()) {
@@ -216,10 +219,12 @@ TEST_CASE("whatever is clicked asks for something that can be had, and every con
     CHECK(reached(ui::ChangeView{}));
     CHECK(reached(ui::ChangeLight{}));
     CHECK(reached(ui::ChangeTextSize{}));
+    CHECK(reached(ui::ChangePlay{}));
     using ui::Action;
     CHECK(actions == std::set<Action>{Action::toggle_run, Action::one_step, Action::restart, Action::new_seed,
                                       Action::previous_scene, Action::next_scene, Action::full_screen,
-                                      Action::camera_home});
+                                      Action::camera_home, Action::toggle_laws, Action::shoot_ball, Action::add_cluster,
+                                      Action::toggle_hand, Action::toggle_shake});
 }
 
 TEST_CASE("an open list closes when asked to", "[ui]") {

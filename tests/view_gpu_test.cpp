@@ -161,6 +161,27 @@ TEST_CASE_METHOD(test::GlFixture, "each part of the surroundings shows when aske
     CHECK(studio.draw() == from_below);  // the ground would hide the balls
 }
 
+TEST_CASE_METHOD(test::GlFixture, "box and ground are drawn where the walls stand", "[view]") {
+    Studio studio;
+    Picture& picture = studio.picture;
+    const Pixels bare = studio.draw();
+    picture.box = {vec3(-0.8f, -0.5f, -0.6f), vec3(0.3f, 0.9f, 0.7f)};
+    picture.show_box = true;
+    const Pixels edges = studio.draw();
+    for (int i = 0; i < 8; ++i) {  // by a step along the edge: lines end at the corners
+        const vec3 side((i & 1) != 0 ? 1.0f : 0.0f, (i & 2) != 0 ? 1.0f : 0.0f, (i & 4) != 0 ? 0.9f : 0.1f);
+        const vec3 place = glm::mix(picture.box.low, picture.box.high, side);
+        CAPTURE(i);
+        CHECK(pixel_at(edges, picture, place) != pixel_at(bare, picture, place));
+    }
+    CHECK(pixel_at(edges, picture, vec3(-1, -1, 0)) == pixel_at(bare, picture, vec3(-1, -1, 0)));
+    picture.show_box = false;
+    picture.show_ground = true;
+    const Pixels ground = studio.draw();
+    picture.box.low.z = -0.2f;
+    CHECK(count(changed(ground, studio.draw())) > 100);  // the floor has come up
+}
+
 TEST_CASE_METHOD(test::GlFixture, "occupied cells are drawn where they are, empty ones not at all", "[view]") {
     Studio studio;
     const Pixels bare = studio.draw();

@@ -24,8 +24,10 @@ struct FrameParams {
     float ambient;
     vec3 light_colour;            // times intensity
     float light_distance;         // m: from here the light has its full colour; nearer it is brighter
-    vec3 half_extent;             // m
+    vec3 box_lower;               // m: corners of the box where it stands
     float ground_spacing;         // m between the ground's lines
+    vec3 box_upper;
+    float ground_reach;           // m of ground around the box
     vec3 grid_origin;             // m
     float cell_width;             // m
     uvec3 grid_cells;

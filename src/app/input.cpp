@@ -27,6 +27,14 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
             return Action::previous_scene;
         case SDLK_RIGHTBRACKET:
             return Action::next_scene;
+        case SDLK_b:
+            return Action::shoot_ball;
+        case SDLK_n:
+            return Action::add_cluster;
+        case SDLK_h:
+            return Action::toggle_hand;
+        case SDLK_z:
+            return Action::toggle_shake;
         case SDLK_g:
             return Action::toggle_occupancy;
         case SDLK_RIGHT:
@@ -80,6 +88,8 @@ std::optional<Action> plain_action(const SDL_Keysym& key) {
             return Action::toggle_timings;
         case SDLK_f:
             return Action::share;
+        case SDLK_F4:
+            return Action::toggle_laws;
         case SDLK_TAB:
             return Action::toggle_panels;
         case SDLK_F11:
@@ -194,14 +204,18 @@ void Input::handle(const SDL_Event& event, bool typing, int height) {
 }
 
 void Input::handle_button(const SDL_MouseButtonEvent& button) {
+    const view::vec2 place(static_cast<float>(button.x), static_cast<float>(button.y));
+    pointer_ = place;
     const bool ours = button.button == SDL_BUTTON_LEFT || button.button == SDL_BUTTON_RIGHT;
     if (button.type == SDL_MOUSEBUTTONDOWN && ours && dragging_ == 0) {
         dragging_ = button.button;
         dragged_ = 0;
         undecided_ = true;
+        looking_ = !(hand_ && button.button == SDL_BUTTON_LEFT);
+        press_ = looking_ ? std::nullopt : std::optional(place);
     } else if (button.type == SDL_MOUSEBUTTONUP && button.button == dragging_) {
-        if (dragging_ == SDL_BUTTON_LEFT && dragged_ <= click_slack) {
-            click_ = view::vec2(static_cast<float>(button.x), static_cast<float>(button.y));
+        if (dragging_ == SDL_BUTTON_LEFT && dragged_ <= click_slack && looking_) {
+            click_ = place;
         }
         dragging_ = 0;
     }
@@ -214,16 +228,18 @@ void Input::settle_claims(bool over_panel) {
         dragging_ = 0;
         look_ = pan_ = view::vec2(0.0f);
         click_.reset();
+        press_.reset();
     }
     undecided_ = false;
     notches_ = over_panel ? 0.0f : notches_;
 }
 
 void Input::handle_motion(const SDL_MouseMotionEvent& motion, int height) {
+    pointer_ = view::vec2(static_cast<float>(motion.x), static_cast<float>(motion.y));
     dragged_ += dragging_ != 0 ? std::abs(motion.xrel) + std::abs(motion.yrel) : 0;
     const view::vec2 drag =
         view::vec2(static_cast<float>(motion.xrel), static_cast<float>(motion.yrel)) / static_cast<float>(height);
-    if (dragging_ == SDL_BUTTON_LEFT) {
+    if (dragging_ == SDL_BUTTON_LEFT && looking_) {
         look_ += drag;
     } else if (dragging_ == SDL_BUTTON_RIGHT) {
         pan_ += drag;

@@ -1,6 +1,7 @@
 #include "app/screenshot.h"
 
 #include "app/drawn_buffers.h"
+#include "app/room.h"
 #include "app/window_picture.h"
 #include "view/image.h"
 
@@ -46,7 +47,8 @@ void Screenshot::save(Simulation& simulation, const std::optional<SharedCode>& c
     picture.positions = buffers.positions(simulation.backend());
     picture.ball_count = simulation.schedule().ball_count;
     picture.grid = simulation.schedule().grid;
-    picture.half_extent = vec3(simulation.half_extent());
+    picture.half_extent = room_half_extent(simulation);
+    picture.box = drawn_box(simulation);
     picture.width = framebuffer_.width();
     picture.height = framebuffer_.height();
     picture.camera =

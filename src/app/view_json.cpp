@@ -114,6 +114,7 @@ void view_fields(Access access, View& view) {
     access.flag("light", view.light, usual.light);
     access.flag("occupancy", view.occupancy, usual.occupancy);
     access.flag("timings", view.timings, usual.timings);
+    access.flag("laws", view.laws, usual.laws);
     access.flag("panels", view.panels, usual.panels);
     access.flag("stepper", view.stepper, usual.stepper);
     access.flag("microscope", view.microscope, usual.microscope);

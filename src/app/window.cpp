@@ -11,14 +11,17 @@
 
 #include "app/clock.h"
 #include "app/input.h"
+#include "app/room.h"
 #include "app/window_camera.h"
 #include "app/window_gui.h"
 #include "app/window_inspector.h"
 #include "app/window_keeper.h"
+#include "app/window_laws.h"
 #include "app/window_monitor.h"
 #include "app/window_overlay.h"
 #include "app/window_picture.h"
 #include "app/window_place.h"
+#include "app/window_play.h"
 #include "app/window_session.h"
 #include "app/window_share.h"
 #include "app/window_stepping.h"
@@ -93,6 +96,7 @@ private:
     void move_camera(float seconds);
     WindowExtent extent() const;
     Surroundings surroundings() const;
+    Eye eye() const { return {camera_.camera(), extent(), views_.split()}; }
     void update_title();
     void remember(const UserSettings& user);
     UserSettings to_remember() const;
@@ -127,6 +131,8 @@ private:
     void act(const ui::ShowElement& command) { views_.act(command); }
     void act(const ui::CopyCode& command) { sharing_.act(command); }
     void act(const ui::NameFile& command) { sharing_.act(command); }
+    void act(const ui::ChangePlay& command) { play_.choose(command.options); }
+    void act(const ui::MeasureLaws&) { laws_.measure_again(); }
     void act(const ui::ExportSlot& command) { views_.export_slot(command.slot, inspector_, session_); }
 
     gl::Context context_;
@@ -144,6 +150,8 @@ private:
     Views views_;
     ui::ProbeState probe_;
     Stepping stepping_{session_, clock_};
+    WindowLaws laws_;
+    Play play_;
     ui::Inspection inspection_;
     view::Overlay overlay_;
     bool flight_wanted_ = false;  // as soon as it is known where the ball is
@@ -242,8 +250,8 @@ bool Window::hidden() const {
 // A window that nobody sees, or in which nothing moves, must not heat the room.
 void Window::wait_for_events() {
     const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
-                       !inspector_.waiting() && !sharing_.working() && !views_.working() && !camera_.flying() &&
-                       !input_.active(gui_.typing()) && !blinks(overlay_);
+                       !inspector_.waiting() && !sharing_.working() && !views_.working() && !laws_.working() &&
+                       !camera_.flying() && !input_.active(gui_.typing()) && !blinks(overlay_);
     if (!hidden() && !still) {
         return;
     }
@@ -284,9 +292,10 @@ void Window::frame() {
     }
     const int steps = advance(busy_s);
     look_inside(seconds_between(start_, now));
+    laws_.update(session_, view_.laws, seconds_between(start_, now), 1000.0 * busy_s);
     measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
-    for (std::string message :
-         {views_.take_message(), session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
+    for (std::string message : {views_.take_message(), laws_.take_message(), play_.take_message(),
+                                session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
         if (!message.empty()) {
             message_ = std::move(message);
         }
@@ -303,6 +312,7 @@ void Window::frame() {
     draw();
     update_title();
     SDL_GL_SwapWindow(context_.window());
+    laws_.build_ahead(session_);
     const auto spent_ms = static_cast<Uint32>(1000.0 * seconds_between(now, SteadyClock::now()));
     if (spent_ms < shortest_frame_ms) {
         SDL_Delay(shortest_frame_ms - spent_ms);
@@ -340,6 +350,7 @@ void Window::look_inside(double now_s) {
     views_.update(session_, inspector_, inspection_, view_, stepping_.state().check, clock_.running(), now_s);
     overlay_ = make_overlay(inspection_);
     views_.add_to(overlay_, inspection_, session_);
+    play_.add_to(overlay_, session_);
 }
 
 void Window::fly_to_selected_ball() {
@@ -400,6 +411,10 @@ void Window::move_camera(float seconds) {
         camera_.go_home();
     }
     camera_.update(input_, surroundings(), seconds, gui_.typing(), gui_.over_panel());
+    play_.update(session_, input_, eye(), gui_.over_panel());
+    if (play_.hand() && !gui_.over_panel()) {
+        Gui::show_hand();
+    }
     if (const auto click = input_.take_click()) {
         const bool control = (SDL_GetModState() & KMOD_CTRL) != 0;
         views_.pick(*click, control, extent(), camera_.camera(), session_, inspection_);
@@ -420,7 +435,7 @@ WindowExtent Window::extent() const {
 }
 
 Surroundings Window::surroundings() const {
-    return {extent(), vec3(session_.simulation().half_extent()), views_.split()};
+    return {extent(), room_half_extent(session_.simulation()), views_.split()};
 }
 
 ui::State Window::make_state() {
@@ -446,6 +461,8 @@ ui::State Window::make_state() {
     views_.describe(probe_, session_, inspection_, view_, monitor_.top_count());
     state.probe = &probe_;
     state.share = &sharing_.state();
+    state.play = &play_.describe(session_);
+    state.laws = laws_.describe(session_, view_.laws);
     state.message = message_;
     state.close_popups = close_popups_;
     return state;
@@ -471,7 +488,9 @@ void Window::carry_out(const ui::Commands& commands) {
 }
 
 void Window::act(ui::Action action) {
-    if (views_.act(action, inspection_, session_) || stepping_.act(action, view_) || sharing_.act(action)) {
+    const auto pointer = gui_.over_panel() ? std::nullopt : std::optional(input_.pointer());
+    if (views_.act(action, inspection_, session_) || stepping_.act(action, view_) || sharing_.act(action) ||
+        play_.act(action, session_, eye(), pointer)) {
         return;
     }
     switch (action) {
@@ -492,6 +511,9 @@ void Window::act(ui::Action action) {
             return;
         case ui::Action::toggle_timings:
             view_.timings = !view_.timings;
+            return;
+        case ui::Action::toggle_laws:
+            view_.laws = !view_.laws;
             return;
         case ui::Action::next_colour:
             view_.colour = static_cast<ui::BallColour>((static_cast<std::size_t>(view_.colour) + 1) % ui::ball_colours);

@@ -134,6 +134,8 @@ bool Gui::over_panel() const { return ImGui::GetIO().WantCaptureMouse; }
 
 bool Gui::holding() const { return ImGui::IsAnyItemActive(); }
 
+void Gui::show_hand() { ImGui::SetMouseCursor(ImGuiMouseCursor_Hand); }
+
 bool Gui::popup_open() const {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }

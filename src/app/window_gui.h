@@ -33,6 +33,9 @@ public:
     bool typing() const;      // a text field has the keyboard
     bool over_panel() const;  // a panel has the mouse
     bool holding() const;     // a slider or field is being changed
+    /// This frame's pointer is a hand.
+    static void show_hand();
+
     bool popup_open() const;  // a list is open
 
 private:

@@ -1,5 +1,7 @@
 #include "app/window_picture.h"
 
+#include "app/room.h"
+
 namespace ballpit::app {
 
 namespace {
@@ -45,7 +47,8 @@ void WindowPicture::draw(Simulation& simulation, std::size_t side, const Picture
         picture.cell_ranges = buffers.cell_ranges(backend);
     }
     picture.grid = schedule.grid;
-    picture.half_extent = vec3(simulation.half_extent());
+    picture.half_extent = room_half_extent(simulation);
+    picture.box = drawn_box(simulation);
     picture.camera = options.camera;
     picture.light = options.light;
     picture.look = view.look == ui::Look::impostor ? view::Look::impostor : view::Look::model;

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/scene_file.h"
+#include "core/scene_schedule.h"
 #include "cpu/cpu_backend.h"
 #include "gl/error.h"
 #include "gpu/gpu_backend.h"
@@ -27,9 +28,10 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     return std::filesystem::equivalent(a, b, error) && !error;
 }
 
-ui::SceneChoice describe_scene(const std::filesystem::path& file) {
+ui::SceneChoice describe_scene(const std::filesystem::path& file, std::vector<Scene>& readable) {
     try {
         Scene scene = load_scene(file);
+        readable.push_back(scene);
         return {std::move(scene.name), std::move(scene.about)};
     } catch (const InputError& error) {
         return {file.stem().string(), error.what()};  // choosing it says so again
@@ -40,7 +42,7 @@ ui::SceneChoice describe_scene(const std::filesystem::path& file) {
 
 Session::Session(const WindowOptions& options, bool has_compute, const std::string& gl_version)
     : has_compute_(has_compute),
-      shader_folder_(options.shader_folder),
+      programs_(std::make_shared<gpu::Programs>(options.shader_folder)),
       choice_(parse_choice(options.backend)),
       wanted_(options.settings) {
     list_scenes(options);
@@ -63,9 +65,11 @@ void Session::list_scenes(const WindowOptions& options) {
     } else {
         scene_ = static_cast<std::size_t>(entry - gallery_.begin());
     }
+    std::vector<Scene> shipped;
     for (const SceneEntry& scene : gallery_) {
-        add_scene({scene.name, scene.path, ""}, describe_scene(scene.path));
+        add_scene({scene.name, scene.path, ""}, describe_scene(scene.path, shipped));
     }
+    programs_->set_shipped(shipped_programs(shipped));
 }
 
 std::size_t Session::add_scene(SceneSource source, ui::SceneChoice choice) {
@@ -76,7 +80,7 @@ std::size_t Session::add_scene(SceneSource source, ui::SceneChoice choice) {
 
 std::unique_ptr<Backend> Session::make_backend(ui::BackendChoice choice) const {
     if (choice == ui::BackendChoice::gpu || (choice == ui::BackendChoice::automatic && has_compute_)) {
-        return std::make_unique<gpu::GpuBackend>(shader_folder_);
+        return std::make_unique<gpu::GpuBackend>(programs_);
     }
     return std::make_unique<cpu::CpuBackend<float>>();
 }
@@ -271,13 +275,21 @@ void Session::apply(bool held) {
     }
     const bool slow = wanted_.balls != current.balls && std::max(wanted_.balls, current.balls) > quickly_built;
     if (!(held && slow)) {
-        const Settings wanted = wanted_;
-        attempt([&] {
-            stepper_->change(wanted);
-            behind_.reset();
-            furthest_step_ = simulation_->step_count();  // what lay ahead will be another run
-        });
+        apply_change(Settings(wanted_));
     }
+}
+
+bool Session::add_balls(std::vector<BallSpec> balls) {
+    apply(false);
+    return apply_change(AddBalls{std::move(balls)});
+}
+
+bool Session::apply_change(const Change& change) {
+    return attempt([&] {
+        stepper_->change(change);
+        behind_.reset();
+        furthest_step_ = simulation_->step_count();  // what lay ahead will be another run
+    });
 }
 
 void Session::prepare_cells() {
@@ -305,8 +317,12 @@ void Session::describe(ui::State& state) const {
     state.settings = wanted_;
     state.defaults = simulation.scene().settings;
     state.features = simulation.features();
-    state.most_balls =
-        simulation.scene().fill ? maximum_balls : static_cast<std::uint32_t>(simulation.scene().balls.size());
+    state.variety = simulation.variety();
+    state.own_restitutions = std::ranges::any_of(simulation.scene().balls,
+                                                 [](const BallSpec& ball) { return ball.restitution.has_value(); });
+    state.most_balls = simulation.scene().fill ? maximum_balls
+                                               : std::max(static_cast<std::uint32_t>(simulation.scene().balls.size()),
+                                                          simulation.settings().balls);
     state.overlapping = simulation.overlapping_at_start();
     state.backend = choice_;
     state.gpu_usable = has_compute_;

@@ -14,6 +14,7 @@
 #include "core/scene_writer.h"
 #include "core/simulation.h"
 #include "core/stepper.h"
+#include "gpu/programs.h"
 #include "ui/state.h"
 
 namespace ballpit::app {
@@ -76,13 +77,21 @@ public:
     /// Settings as the panel shows them; apply() makes them the simulation's. While a slider is `held`, a change that
     /// rebuilds a world of many balls waits for its release.
     void want(const Settings& settings) { wanted_ = settings; }
+    const Settings& wanted() const { return wanted_; }
     void apply(bool held);
+
+    /// Throws balls in; false where that is refused, and told. Settings still waiting are applied first.
+    bool add_balls(std::vector<BallSpec> balls);
 
     /// Fills the cells for who looks at them before the first substep has run.
     void prepare_cells();
 
     /// Another backend of the kind that computes here. Throws as its constructor does.
     std::unique_ptr<Backend> twin_backend() const;
+
+    /// What the GPU backends of this window run; nothing is compiled where the mirror computes.
+    gpu::Programs& programs() { return *programs_; }
+    const gpu::Programs& programs() const { return *programs_; }
 
     /// Adds what the panels read of it.
     void describe(ui::State& state) const;
@@ -103,12 +112,13 @@ private:
     std::size_t add_scene(SceneSource source, ui::SceneChoice choice);
     std::vector<std::pair<Moment, Change>> changes_so_far();
     bool attempt(const std::function<void()>& change);
+    bool apply_change(const Change& change);
     void move(const std::function<void()>& motion);
     void start_timeline();
     void look_from(bool behind);
 
     bool has_compute_;
-    std::filesystem::path shader_folder_;
+    std::shared_ptr<gpu::Programs> programs_;
     std::vector<SceneEntry> gallery_;
     std::vector<SceneSource> sources_;  // of the scenes, one each
     std::vector<ui::SceneChoice> scenes_;

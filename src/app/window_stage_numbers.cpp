@@ -15,8 +15,7 @@ std::vector<T> copy_of(const Inspector& inspector, Slot slot) {
     return bytes == nullptr ? std::vector<T>() : typed<T>(*bytes);
 }
 
-measure::StageNumbers numbers_of(const Inspector& inspector, const ui::SteppingState& stepping,
-                                 const vec3& half_extent) {
+measure::StageNumbers numbers_of(const Inspector& inspector, const ui::SteppingState& stepping, const Box& box) {
     const Dispatch* dispatch = ran_last(stepping);
     if (dispatch == nullptr) {
         return {};
@@ -25,7 +24,7 @@ measure::StageNumbers numbers_of(const Inspector& inspector, const ui::SteppingS
     switch (dispatch->program.shader) {
         case Shader::assign_cells:
             return measure::assign_numbers(schedule, copy_of<Key>(inspector, Slot::keys),
-                                           copy_of<vec4>(inspector, Slot::positions), half_extent);
+                                           copy_of<vec4>(inspector, Slot::positions), box);
         case Shader::bitonic_sort:
         case Shader::bitonic_sort_fused:
             return measure::sort_numbers(schedule, *dispatch, typed<Key>(inspector.keys_before()));
@@ -75,11 +74,11 @@ void StageNumbersReader::ask(Inspector& inspector, const ui::SteppingState& step
 }
 
 const measure::StageNumbers& StageNumbersReader::read(const Inspector& inspector, const ui::SteppingState& stepping,
-                                                      const vec3& half_extent, std::uint64_t revision) {
+                                                      const Box& box, std::uint64_t revision) {
     if (revision != revision_ || stepping.place != place_) {
         revision_ = revision;
         place_ = stepping.place;
-        numbers_ = numbers_of(inspector, stepping, half_extent);
+        numbers_ = numbers_of(inspector, stepping, box);
     }
     return numbers_;
 }

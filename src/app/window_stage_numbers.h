@@ -14,8 +14,8 @@ public:
     /// While paused, with the strip open: before the inspector's update().
     static void ask(Inspector& inspector, const ui::SteppingState& stepping);
     /// After it; worked out anew only when the revision is another.
-    const measure::StageNumbers& read(const Inspector& inspector, const ui::SteppingState& stepping,
-                                      const vec3& half_extent, std::uint64_t revision);
+    const measure::StageNumbers& read(const Inspector& inspector, const ui::SteppingState& stepping, const Box& box,
+                                      std::uint64_t revision);
 
 private:
     measure::StageNumbers numbers_;

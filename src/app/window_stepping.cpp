@@ -136,8 +136,7 @@ void Stepping::want(Inspector& inspector, const ui::ViewOptions& view) {
 
 void Stepping::update(const Inspector& inspector, const ui::ViewOptions& view) {
     if (tells_numbers(view)) {
-        state_.numbers =
-            numbers_.read(inspector, state_, vec3(session_.simulation().half_extent()), session_.revision());
+        state_.numbers = numbers_.read(inspector, state_, session_.simulation().box(), session_.revision());
     }
     check_.describe(state_.check);
     for (std::size_t i = 0; i < stage_count; ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/room.h"
 #include "core/error.h"
 #include "gl/error.h"
 #include "view/picking.h"
@@ -126,7 +127,7 @@ void Views::pick(const view::vec2& click, bool control, const WindowExtent& exte
         select_cell(view::pick_cell(camera, aspect, point, grid, ranges), inspection);
     } else {
         const auto positions = read_slot<vec4>(backend, Slot::positions);
-        const vec3 half_extent(simulation->half_extent());
+        const vec3 half_extent = room_half_extent(*simulation);
         inspection.ball = options.slice ? view::pick_ball(camera, half_extent, aspect, point, positions, grid, slice)
                                         : view::pick_ball(camera, half_extent, aspect, point, positions);
         if (inspection.ball) {

@@ -10,7 +10,7 @@
 namespace ballpit::measure {
 
 AssignNumbers assign_numbers(const Schedule& schedule, std::span<const Key> keys, std::span<const vec4> positions,
-                             const vec3& half_extent) {
+                             const Box& box) {
     AssignNumbers numbers;
     numbers.balls = schedule.ball_count;
     numbers.cells = schedule.cell_count;
@@ -25,9 +25,10 @@ AssignNumbers assign_numbers(const Schedule& schedule, std::span<const Key> keys
     }
     std::ranges::sort(cells);
     numbers.occupied = static_cast<std::uint32_t>(std::unique(cells.begin(), cells.end()) - cells.begin());
+    const vec3 lower(box.lower);
+    const vec3 upper(box.upper);
     numbers.outside = static_cast<std::uint32_t>(std::ranges::count_if(positions, [&](const vec4& p) {
-        const vec3 distance = glm::abs(vec3(p));
-        return !(distance.x <= half_extent.x && distance.y <= half_extent.y && distance.z <= half_extent.z);
+        return !(glm::all(glm::greaterThanEqual(vec3(p), lower)) && glm::all(glm::lessThanEqual(vec3(p), upper)));
     }));
     return numbers;
 }

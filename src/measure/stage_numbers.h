@@ -6,6 +6,7 @@
 #include <span>
 #include <variant>
 
+#include "core/box.h"
 #include "core/layout.h"
 #include "core/schedule.h"
 #include "core/vector.h"
@@ -47,8 +48,9 @@ struct CollideNumbers {
 using StageNumbers =
     std::variant<std::monostate, AssignNumbers, SortNumbers, ClearNumbers, BuildNumbers, CollideNumbers>;
 
+/// Balls count as outside where the shader counts them so: `box`, rounded to single.
 AssignNumbers assign_numbers(const Schedule& schedule, std::span<const Key> keys, std::span<const vec4> positions,
-                             const vec3& half_extent);
+                             const Box& box);
 /// `before` may be empty.
 SortNumbers sort_numbers(const Schedule& schedule, const Dispatch& pass, std::span<const Key> before);
 BuildNumbers build_numbers(std::span<const CellRange> cell_ranges);

@@ -17,6 +17,11 @@ enum class Action : std::uint8_t {
     next_scene,
     toggle_occupancy,
     toggle_timings,
+    toggle_laws,
+    shoot_ball,
+    add_cluster,
+    toggle_hand,
+    toggle_shake,
     toggle_panels,
     full_screen,
     camera_home,
@@ -57,7 +62,7 @@ enum class Action : std::uint8_t {
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 47;
+inline constexpr std::size_t action_count = 52;
 
 struct KeyRow {
     Action action;

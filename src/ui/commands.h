@@ -11,6 +11,7 @@
 #include "core/settings.h"
 #include "ui/action.h"
 #include "ui/options.h"
+#include "ui/play.h"
 #include "ui/probe.h"
 #include "ui/stepping.h"
 
@@ -44,6 +45,11 @@ struct ChangeTextSize {
 /// Forget the failures counted so far.
 struct ClearStatus {};
 struct DismissMessage {};
+/// What each law costs, measured anew.
+struct MeasureLaws {};
+struct ChangePlay {
+    PlayOptions options;
+};
 
 /// What the arrow keys move by.
 struct ChooseUnit {
@@ -105,7 +111,7 @@ struct NameFile {
 using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
                              ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
                              SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
-                             SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile>;
+                             SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangePlay>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

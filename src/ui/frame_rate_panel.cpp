@@ -37,6 +37,11 @@ void frame_rate_panel(const State& state) {
              (state.backend_name == "gpu" ? "GPU" : "CPU mirror") + "  ·  " + run_text(state));
     dim_text(format("t = %.3f s  ·  step %llu  ·  seed %llu", state.time,
                     static_cast<unsigned long long>(state.step_count), static_cast<unsigned long long>(state.seed)));
+    if (state.play != nullptr && state.play->options.hand) {
+        dim_text(state.play->held_ball
+                     ? "hand: ball " + grouped(*state.play->held_ball)
+                     : "hand: drag a wall or a ball  ·  " + std::string(key_hint(Action::toggle_hand)));
+    }
     if (state.overlapping > 0) {
         dim_text(grouped(state.overlapping) + " balls found no free place: they start overlapping");
     }

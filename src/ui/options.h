@@ -33,6 +33,7 @@ struct ViewOptions {
     bool light = true;
     bool occupancy = false;
     bool timings = false;
+    bool laws = false;
     bool panels = true;
     bool help = false;
     bool stepper = false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ui/laws_panel.h"
 #include "ui/probe_panels.h"
 #include "ui/stepping_panels.h"
 #include "ui/style.h"
@@ -70,8 +71,12 @@ void right_side(const State& state, Commands& commands) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(panel_width * em(), display.x - 2.0f * margin());
     const float most = std::max(display.y - 2.0f * margin(), 4.0f * em());
-    ImGui::SetNextWindowPos(ImVec2(display.x - margin(), margin()), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, most));
+    // A scroll bar stands in the margin, so that it takes nothing from the rows.
+    ImGuiStorage* memory = ImGui::GetStateStorage();
+    const ImGuiID scrolls = ImGui::GetID("controls scroll");
+    const float bar = memory->GetBool(scrolls) ? std::min(ImGui::GetStyle().ScrollbarSize, margin()) : 0.0f;
+    ImGui::SetNextWindowPos(ImVec2(display.x - margin() + bar, margin()), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width + bar, 0.0f), ImVec2(width + bar, most));
     ImGui::Begin("controls", nullptr, fixed_window);
     scene_panel(state, commands);
     run_panel(state, commands);
@@ -81,6 +86,11 @@ void right_side(const State& state, Commands& commands) {
     if (state.probe != nullptr) {
         probe_section(state, commands);
     }
+    laws_section(state, commands);
+    if (state.play != nullptr) {
+        play_section(state, commands);
+    }
+    memory->SetBool(scrolls, ImGui::GetScrollMaxY() > 0.0f);
     ImGui::End();
 }
 
@@ -144,6 +154,7 @@ void draw_panels(const State& state, Commands& commands) {
     if (state.probe != nullptr) {
         draw_probe_windows(state, commands);
     }
+    draw_laws_window(state, commands);
     draw_stepping_windows(state, commands);  // opened on purpose: they stay when the panels are hidden
     if (state.share != nullptr) {
         share_windows(state, commands);

@@ -11,6 +11,8 @@ void scene_panel(const State& state, Commands& commands);
 void run_panel(const State& state, Commands& commands);
 void settings_panel(const State& state, Commands& commands);
 void view_panel(const State& state, Commands& commands);
+/// Needs State::play.
+void play_section(const State& state, Commands& commands);
 void light_panel(const State& state, Commands& commands);
 
 void frame_rate_panel(const State& state);

@@ -11,7 +11,9 @@
 #include "core/settings.h"
 #include "measure/occupancy.h"
 #include "ui/inspection.h"
+#include "ui/laws.h"
 #include "ui/options.h"
+#include "ui/play.h"
 #include "ui/probe.h"
 #include "ui/share.h"
 #include "ui/stepping.h"
@@ -47,6 +49,8 @@ struct State {
     Settings settings;
     Settings defaults;  // the scene's own
     Features features;
+    Variety variety;
+    bool own_restitutions = false;             // some ball of the scene has one
     std::uint32_t most_balls = maximum_balls;  // what the scene can give
     std::uint32_t overlapping = 0;             // balls that found no free place at the start
 
@@ -75,6 +79,8 @@ struct State {
     const SteppingState* stepping = nullptr;  // never null in the window
     const Inspection* inspection = nullptr;   // null while no panel looks into the buffers
     const ProbeState* probe = nullptr;        // never null in the window
+    const PlayState* play = nullptr;          // never null in the window
+    const LawsState* laws = nullptr;          // null while their window is closed
 
     const ShareState* share = nullptr;  // never null in the window
 

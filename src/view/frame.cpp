@@ -90,10 +90,10 @@ void fill_light(layout::FrameParams& frame, const Picture& picture) {
 
 }  // namespace
 
-float ground_spacing(const vec3& half_extent) {
+float ground_spacing(const Box& box) {
     constexpr float most_lines = 60.0f;
     constexpr float fewest_lines = 3.0f;
-    const float width = 2.0f * std::max(half_extent.x, half_extent.y);
+    const float width = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     float spacing = 1.0f;
     while (width / spacing > most_lines) {
         spacing *= 10.0f;
@@ -108,8 +108,11 @@ layout::FrameParams make_frame(const Picture& picture) {
     layout::FrameParams frame{};
     fill_camera(frame, picture);
     fill_light(frame, picture);
-    frame.half_extent = picture.half_extent;
-    frame.ground_spacing = ground_spacing(picture.half_extent);
+    const Box& box = picture.box;
+    frame.box_lower = box.low;
+    frame.box_upper = box.high;
+    frame.ground_spacing = ground_spacing(box);
+    frame.ground_reach = std::max(0.5f * std::max(box.high.x - box.low.x, box.high.y - box.low.y), 1e-6f);
     frame.grid_origin = vec3(picture.grid.origin);
     frame.cell_width = static_cast<float>(picture.grid.cell_width);
     frame.grid_cells = picture.grid.cells;

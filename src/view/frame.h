@@ -18,9 +18,9 @@ using glm::vec4;
 
 #include "shared/frame.h"
 
-static_assert(offsetof(FrameParams, eye) == 64 && offsetof(FrameParams, grid_cells) == 144 &&
-              offsetof(FrameParams, picture_size) == 192 && offsetof(FrameParams, sequential) == 272 &&
-              sizeof(FrameParams) == 272 + 16 * (SEQUENTIAL_COLOURS + DIVERGING_COLOURS + CATEGORICAL_COLOURS));
+static_assert(offsetof(FrameParams, eye) == 64 && offsetof(FrameParams, grid_cells) == 160 &&
+              offsetof(FrameParams, picture_size) == 208 && offsetof(FrameParams, sequential) == 288 &&
+              sizeof(FrameParams) == 288 + 16 * (SEQUENTIAL_COLOURS + DIVERGING_COLOURS + CATEGORICAL_COLOURS));
 
 }  // namespace ballpit::view::layout
 
@@ -34,6 +34,6 @@ inline constexpr GLuint unit_elements = 2;  // of a buffer, read by index
 layout::FrameParams make_frame(const Picture& picture);
 
 /// m between the lines of the ground: 1 m, or a round number that keeps a large or tiny box readable.
-float ground_spacing(const vec3& half_extent);
+float ground_spacing(const Box& box);
 
 }  // namespace ballpit::view

@@ -47,6 +47,21 @@ void append_box(std::vector<LineSegment>& lines, const Box& box, const vec4& col
     }
 }
 
+void append_face(std::vector<LineSegment>& lines, const Box& box, int axis, bool upper, const vec4& colour,
+                 float width) {
+    const int second = (axis + 1) % 3;
+    const int third = (axis + 2) % 3;
+    std::array<vec3, 4> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i][axis] = upper ? box.high[axis] : box.low[axis];
+        corners[i][second] = i == 1 || i == 2 ? box.high[second] : box.low[second];
+        corners[i][third] = i >= 2 ? box.high[third] : box.low[third];
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        lines.push_back({corners[i], corners[(i + 1) % corners.size()], colour, width});
+    }
+}
+
 void append_contact(std::vector<LineSegment>& lines, const vec4& a, const vec4& b, float top_overlap, float width) {
     constexpr float hidden = 0.04f;
     constexpr float clearance = 1.05f;

@@ -35,6 +35,13 @@ struct GridSlice {
     bool cut_away = true;     // leave out the balls that reach out of the layer towards the eye
 };
 
+/// A line from the middle of a ball, wherever it is now, to a point.
+struct Tether {
+    std::uint32_t ball = 0;
+    vec3 target{0.0f};  // m
+    vec4 colour{1.0f};
+};
+
 struct Overlay {
     std::vector<LineSegment> lines;
     std::vector<BallHighlight> highlights;  // balls beyond the count are ignored
@@ -42,9 +49,11 @@ struct Overlay {
     float arrow_seconds = 0.0f;             // velocity arrows as long as the way in this time; 0: none
     std::optional<GridSlice> slice;
     std::optional<std::uint32_t> cell;  // cell id outlined strongly
+    std::optional<Tether> tether;       // ignored beyond the count of balls
 
     bool empty() const {
-        return lines.empty() && highlights.empty() && fade_others == 0.0f && arrow_seconds == 0.0f && !slice && !cell;
+        return lines.empty() && highlights.empty() && fade_others == 0.0f && arrow_seconds == 0.0f && !slice && !cell &&
+               !tether;
     }
 };
 
@@ -66,6 +75,9 @@ bool is_cut_away(const GridSlice& slice, const SlicePlane& plane, const vec4& ba
 
 /// The twelve edges of a box.
 void append_box(std::vector<LineSegment>& lines, const Box& box, const vec4& colour, float width = 2.0f);
+/// The outline of one of its six faces: across `axis` 0, 1, 2, the upper or the lower one.
+void append_face(std::vector<LineSegment>& lines, const Box& box, int axis, bool upper, const vec4& colour,
+                 float width = 2.0f);
 /// From centre to centre of two balls (centre, radius); sequential palette, `top_overlap` (m) gets its last colour.
 /// Drawn on top of these two, and hardly seen through others: there are many.
 void append_contact(std::vector<LineSegment>& lines, const vec4& a, const vec4& b, float top_overlap,

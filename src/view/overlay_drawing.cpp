@@ -45,15 +45,19 @@ OverlayDrawing::OverlayDrawing(const std::filesystem::path& shader_folder)
     : line_program_(load_view_program(shader_folder, "line")),
       highlight_program_(load_view_program(shader_folder, "highlight")),
       slice_program_(load_view_program(shader_folder, "slice")),
+      tether_program_(load_view_program(shader_folder, "line", {"TETHER"})),
       readable_elements_(gl::BufferTexture::capacity()) {}
 
 void OverlayDrawing::prepare(const Picture& picture) {
     lines_ = rings_ = slice_cells_ = 0;
+    tethered_ = false;
     if (picture.overlay == nullptr) {
         return;
     }
     prepare_lines(picture);
     prepare_rings(picture);
+    const std::optional<Tether>& tether = picture.overlay->tether;
+    tethered_ = tether && tether->ball < std::min<std::size_t>(picture.ball_count, readable_elements_);
     const std::optional<GridSlice>& slice = picture.overlay->slice;
     const Grid& grid = picture.grid;
     if (slice && picture.cell_ranges != nullptr && grid.cell_count() <= readable_elements_ &&
@@ -107,8 +111,16 @@ void OverlayDrawing::prepare_rings(const Picture& picture) {
     ring_array_.floats(1, ring_buffer_, 4, sizeof(Ring), offsetof(Ring, colour), 1);
 }
 
+void OverlayDrawing::draw_tether(const Tether& tether, bool through) {
+    tether_program_.use();
+    glUniform1ui(tether_program_.uniform("ball_id"), tether.ball);
+    glUniform3fv(tether_program_.uniform("target"), 1, &tether.target.x);
+    glUniform4fv(tether_program_.uniform("tether_colour"), 1, &tether.colour.x);
+    draw_squares(tether_program_, no_attributes_, 1, through);
+}
+
 void OverlayDrawing::draw(const Picture& picture, bool through) {
-    if (lines_ + rings_ + slice_cells_ == 0) {
+    if (lines_ + rings_ + slice_cells_ == 0 && !tethered_) {
         return;
     }
     (through ? glDisable : glEnable)(GL_DEPTH_TEST);
@@ -125,6 +137,10 @@ void OverlayDrawing::draw(const Picture& picture, bool through) {
     if (rings_ != 0) {
         elements_.bind(unit_elements, *picture.positions, GL_RGBA32F);
         draw_squares(highlight_program_, ring_array_, rings_, through);
+    }
+    if (tethered_) {
+        elements_.bind(unit_elements, *picture.positions, GL_RGBA32F);
+        draw_tether(*picture.overlay->tether, through);
     }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

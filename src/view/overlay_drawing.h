@@ -31,10 +31,12 @@ private:
 
     void prepare_lines(const Picture& picture);
     void prepare_rings(const Picture& picture);
+    void draw_tether(const Tether& tether, bool through);
 
     gl::Program line_program_;
     gl::Program highlight_program_;
     gl::Program slice_program_;
+    gl::Program tether_program_;
     gl::BufferTexture elements_;
     std::size_t readable_elements_;
     gl::VertexArray line_array_;
@@ -45,6 +47,7 @@ private:
     std::size_t lines_ = 0;
     std::size_t rings_ = 0;
     std::size_t slice_cells_ = 0;
+    bool tethered_ = false;
 };
 
 }  // namespace ballpit::view

@@ -33,7 +33,9 @@ struct Picture {
     std::uint32_t ball_count = 0;
     const gl::Buffer* cell_ranges = nullptr;  // CellRange a cell of `grid`; may be null
     Grid grid;
-    vec3 half_extent{10.0f};  // m
+    Box box{vec3(-10.0f), vec3(10.0f)};  // m, where it stands
+    // m: of a room around the origin that holds the box wherever it is; camera, light and shadows go by it.
+    vec3 half_extent{10.0f};
     Camera camera;
     Light light;
     Look look = Look::model;

@@ -41,7 +41,7 @@ struct Renderer::Parts {
         surroundings.draw_background();
         if (picture.show_ground) {
             surroundings.draw_ground();
-            if (picture.ball_count != 0 && picture.camera.position.z > -picture.half_extent.z) {
+            if (picture.ball_count != 0 && picture.camera.position.z > picture.box.low.z) {
                 balls.draw_contacts(picture);
             }
         }

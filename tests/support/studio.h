@@ -44,6 +44,7 @@ struct Studio {
 
     Studio() {
         picture.half_extent = vec3(1.0f);
+        picture.box = {vec3(-1.0f), vec3(1.0f)};
         picture.grid = make_grid(dvec3(1.0), 0.25, 1.0, 1);
         picture.camera = home(picture.half_extent);
         picture.show_box = picture.show_ground = picture.show_light = false;
