@@ -66,9 +66,9 @@ void WindowLaws::update(Session& session, bool open, double now_s, double frame_
 }
 
 void WindowLaws::measure(Session& session, double now_s) {
-    Measured now = to_measure(session);
+    const Measured now = to_measure(session);
     if (wanted_ != now) {
-        wanted_ = std::move(now);
+        wanted_ = now;
         wanted_since_s_ = now_s;
     }
     settling_ = measured_ != wanted_;

@@ -61,8 +61,8 @@ bool Play::act(ui::Action action, Session& session, const Eye& eye, const std::o
 
 void Play::shoot(Session& session, const view::Ray& ray) {
     const view::Box box = drawn_box(session.simulation());
-    if (auto ball = shot(ray, box, options_, positions_of(session))) {
-        session.add_balls({std::move(*ball)});
+    if (const auto ball = shot(ray, box, options_, positions_of(session))) {
+        session.add_balls({*ball});
     } else {
         message_ = view::span_in(ray, box) ? "There is no room for the ball on that line."
                                            : "A ball starts where the line of sight enters the box: point there.";

@@ -35,7 +35,7 @@ public:
     /// A permutation that was compiled though it is none of those, and how long that took.
     struct OnDemand {
         Program program;
-        double ms;
+        double ms = 0.0;
     };
     std::span<const OnDemand> on_demand() const { return on_demand_; }
 
