@@ -195,9 +195,31 @@ inspection_split() {   # cells of half a diameter, and what they miss
     take inspection_split
 }
 
+playing_laws() {   # what each law of a pile costs; measuring takes its time where a CPU draws
+    open --scene pile --set balls=2000
+    key 4; times 40 Right
+    key F4
+    point 640 4
+    sleep 60
+    take playing_laws
+}
+
+playing_hand() {   # a string of balls, and one of them on its way to the hand
+    open --scene two_balls
+    point 440 330
+    times 5 b
+    key h
+    xdotool mousemove --window "$window" 452 345; sleep 0.3
+    xdotool mousedown 1; sleep 0.3
+    xdotool mousemove --window "$window" 560 250; sleep 0.5
+    times 6 o
+    take playing_hand
+    xdotool mouseup 1
+}
+
 all="stepping_strip stepping_microscope stepping_microscope_64 stepping_microscope_all stepping_slot_to_ball
     stepping_check inspection_follow inspection_cells inspection_contacts inspection_slots inspection_buffers
-    inspection_split"
+    inspection_split playing_laws playing_hand"
 
 for picture in ${*:-$all}; do
     "$picture"

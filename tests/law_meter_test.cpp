@@ -55,6 +55,22 @@ TEST_CASE("a plan is what the settings would run", "[laws]") {
     CHECK(plan.restitutions.size() == 50);
 }
 
+TEST_CASE("a law ticked on or off leaves every ball where it is", "[laws]") {
+    const Scene scene = test::shipped_scene("pile");
+    Settings settings = scene.settings;
+    settings.balls = 200;
+    Simulation simulation(scene, settings, 1, std::make_unique<cpu::CpuBackend<float>>());
+    for (const LawInfo& law : law_table()) {
+        simulation.step();
+        const std::vector<vec4> before = simulation.raw_state().positions;
+        settings.laws.*law.member = !(settings.laws.*law.member);
+        simulation.change(settings);
+        INFO(law.key);
+        CHECK(simulation.raw_state().positions == before);
+        CHECK(simulation.settings().laws == settings.laws);
+    }
+}
+
 TEST_CASE("a paired cost is the median difference, known where it exceeds its uncertainty", "[laws]") {
     const std::vector<double> without = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
     std::vector<double> with;

@@ -248,7 +248,8 @@ TEST_CASE_METHOD(GlFixture, "an overlay leaves no state behind that others would
         studio.picture.overlay = nullptr;
         const Pixels bare = studio.draw();
         studio.picture.overlay = &studio.overlay;
-        studio.overlay = {{{vec3(0), vec3(1), red}}, {{0, red, 1.0f}}, 0.5f, 0.3f, GridSlice{2, 1}, 3};
+        studio.overlay = {{{vec3(0), vec3(1), red}}, {{0, red, 1.0f}}, 0.5f, 0.3f, GridSlice{2, 1}, 3,
+                          Tether{0, vec3(0.5f), red}};
         studio.draw();
         CHECK(glIsEnabled(GL_DEPTH_TEST) == GL_FALSE);
         CHECK(glIsEnabled(GL_BLEND) == GL_FALSE);
