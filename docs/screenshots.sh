@@ -196,7 +196,7 @@ inspection_split() {   # cells of half a diameter, and what they miss
 }
 
 playing_laws() {   # what each law of a pile costs; measuring takes its time where a CPU draws
-    open --scene pile --set balls=2000
+    open --fresh --scene pile --set balls=2000
     key 4; times 40 Right
     key F4
     point 640 4
@@ -205,7 +205,7 @@ playing_laws() {   # what each law of a pile costs; measuring takes its time whe
 }
 
 playing_hand() {   # a string of balls, and one of them on its way to the hand
-    open --scene two_balls
+    open --fresh --scene two_balls
     point 440 330
     times 5 b
     key h

@@ -91,7 +91,7 @@ std::string cost_text(const LawCost& cost, bool holds, double now_ms) {
         return "nothing: the same programs run";
     }
     const measure::PairedCost& pairs = cost.pairs;
-    const std::string range = format(" ± %s ms", short_number(pairs.uncertainty).c_str());
+    const std::string range = format(pairs.uncertainty >= 10.0 ? " ± %.0f ms" : " ± %.2g ms", pairs.uncertainty);
     if (!pairs.known) {
         return "less than can be told:" + range;
     }

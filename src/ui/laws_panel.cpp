@@ -89,7 +89,7 @@ void measure_row(const LawsState& laws, Commands& commands) {
         "Substeps of a copy of the present state run in turn with a law and without it. A cost is the median of nine "
         "differences; the ± around it holds the true one in 96 % of all cases.");
     ImGui::SameLine();
-    dim_text(laws.measuring ? "measuring …" : "costs are a substep's, of the state when they were measured");
+    wrapped_dim_text(laws.measuring ? "measuring …" : "costs are a substep's, of the state when they were measured");
 }
 
 }  // namespace
