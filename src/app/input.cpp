@@ -1,6 +1,7 @@
 #include "app/input.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -12,113 +13,83 @@ using ui::Action;
 
 constexpr int click_slack = 4;  // points that a hand may slip between press and release
 
+struct KeyActions {
+    SDL_Keycode key;
+    Action plain;
+    Action with_shift;
+};
+
+constexpr std::array<KeyActions, 46> keys = {{
+    {SDLK_SPACE, Action::toggle_run, Action::toggle_run},
+    {SDLK_p, Action::toggle_run, Action::toggle_run},
+    {SDLK_o, Action::one_step, Action::one_step},
+    {SDLK_RETURN, Action::one_step, Action::one_step},
+    {SDLK_KP_ENTER, Action::one_step, Action::one_step},
+    {SDLK_r, Action::restart, Action::new_seed},
+    {SDLK_LEFTBRACKET, Action::previous_scene, Action::previous_scene},
+    {SDLK_RIGHTBRACKET, Action::next_scene, Action::next_scene},
+    {SDLK_b, Action::shoot_ball, Action::shoot_ball},
+    {SDLK_n, Action::add_cluster, Action::add_cluster},
+    {SDLK_h, Action::toggle_hand, Action::toggle_hand},
+    {SDLK_z, Action::toggle_shake, Action::toggle_shake},
+    {SDLK_g, Action::toggle_occupancy, Action::toggle_occupancy},
+    {SDLK_RIGHT, Action::forward, Action::forward_coarser},
+    {SDLK_PAGEDOWN, Action::forward, Action::forward_coarser},
+    {SDLK_LEFT, Action::back, Action::back_coarser},
+    {SDLK_PAGEUP, Action::back, Action::back_coarser},
+    {SDLK_1, Action::unit_pass, Action::unit_pass},
+    {SDLK_2, Action::unit_stage, Action::unit_stage},
+    {SDLK_3, Action::unit_substep, Action::unit_substep},
+    {SDLK_4, Action::unit_step, Action::unit_step},
+    {SDLK_F2, Action::toggle_stepper, Action::toggle_stepper},
+    {SDLK_m, Action::toggle_microscope, Action::microscope_size},
+    {SDLK_k, Action::toggle_live_check, Action::toggle_live_check},
+    {SDLK_j, Action::show_differences, Action::show_differences},
+    {SDLK_t, Action::toggle_follow, Action::toggle_follow},
+    {SDLK_c, Action::toggle_cells, Action::toggle_cells},
+    {SDLK_u, Action::toggle_buffers, Action::next_slot},
+    {SDLK_x, Action::toggle_split, Action::toggle_split},
+    {SDLK_i, Action::toggle_contacts, Action::toggle_contacts},
+    {SDLK_v, Action::toggle_arrows, Action::next_colour},
+    {SDLK_l, Action::toggle_slice, Action::slice_axis},
+    {SDLK_UP, Action::layer_up, Action::layer_up},
+    {SDLK_DOWN, Action::layer_down, Action::layer_down},
+    {SDLK_PERIOD, Action::next_ball, Action::next_ball},
+    {SDLK_COMMA, Action::previous_ball, Action::previous_ball},
+    {SDLK_DELETE, Action::clear_selection, Action::clear_selection},
+    {SDLK_BACKSPACE, Action::clear_selection, Action::clear_selection},
+    {SDLK_F3, Action::toggle_timings, Action::toggle_timings},
+    {SDLK_f, Action::share, Action::share},
+    {SDLK_F4, Action::toggle_laws, Action::toggle_laws},
+    {SDLK_TAB, Action::toggle_panels, Action::toggle_panels},
+    {SDLK_F11, Action::full_screen, Action::full_screen},
+    {SDLK_HOME, Action::camera_home, Action::camera_home},
+    {SDLK_F1, Action::toggle_help, Action::toggle_help},
+    {SDLK_ESCAPE, Action::close, Action::close},
+}};
+
+struct PlaceAction {
+    SDL_Scancode place;
+    Action action;
+};
+
+// Keys by their place: many layouts have no brackets, some have digits only with Shift.
+constexpr std::array<PlaceAction, 6> places = {{
+    {SDL_SCANCODE_LEFTBRACKET, Action::previous_scene},
+    {SDL_SCANCODE_RIGHTBRACKET, Action::next_scene},
+    {SDL_SCANCODE_1, Action::unit_pass},
+    {SDL_SCANCODE_2, Action::unit_stage},
+    {SDL_SCANCODE_3, Action::unit_substep},
+    {SDL_SCANCODE_4, Action::unit_step},
+}};
+
 std::optional<Action> plain_action(const SDL_Keysym& key) {
-    switch (key.sym) {
-        case SDLK_SPACE:
-        case SDLK_p:
-            return Action::toggle_run;
-        case SDLK_o:
-        case SDLK_RETURN:
-        case SDLK_KP_ENTER:
-            return Action::one_step;
-        case SDLK_r:
-            return (key.mod & KMOD_SHIFT) != 0 ? Action::new_seed : Action::restart;
-        case SDLK_LEFTBRACKET:
-            return Action::previous_scene;
-        case SDLK_RIGHTBRACKET:
-            return Action::next_scene;
-        case SDLK_b:
-            return Action::shoot_ball;
-        case SDLK_n:
-            return Action::add_cluster;
-        case SDLK_h:
-            return Action::toggle_hand;
-        case SDLK_z:
-            return Action::toggle_shake;
-        case SDLK_g:
-            return Action::toggle_occupancy;
-        case SDLK_RIGHT:
-        case SDLK_PAGEDOWN:
-            return (key.mod & KMOD_SHIFT) != 0 ? Action::forward_coarser : Action::forward;
-        case SDLK_LEFT:
-        case SDLK_PAGEUP:
-            return (key.mod & KMOD_SHIFT) != 0 ? Action::back_coarser : Action::back;
-        case SDLK_1:
-            return Action::unit_pass;
-        case SDLK_2:
-            return Action::unit_stage;
-        case SDLK_3:
-            return Action::unit_substep;
-        case SDLK_4:
-            return Action::unit_step;
-        case SDLK_F2:
-            return Action::toggle_stepper;
-        case SDLK_m:
-            return (key.mod & KMOD_SHIFT) != 0 ? Action::microscope_size : Action::toggle_microscope;
-        case SDLK_k:
-            return Action::toggle_live_check;
-        case SDLK_j:
-            return Action::show_differences;
-        case SDLK_t:
-            return Action::toggle_follow;
-        case SDLK_c:
-            return Action::toggle_cells;
-        case SDLK_u:
-            return (key.mod & KMOD_SHIFT) != 0 ? Action::next_slot : Action::toggle_buffers;
-        case SDLK_x:
-            return Action::toggle_split;
-        case SDLK_i:
-            return Action::toggle_contacts;
-        case SDLK_v:
-            return (key.mod & KMOD_SHIFT) != 0 ? Action::next_colour : Action::toggle_arrows;
-        case SDLK_l:
-            return (key.mod & KMOD_SHIFT) != 0 ? Action::slice_axis : Action::toggle_slice;
-        case SDLK_UP:
-            return Action::layer_up;
-        case SDLK_DOWN:
-            return Action::layer_down;
-        case SDLK_PERIOD:
-            return Action::next_ball;
-        case SDLK_COMMA:
-            return Action::previous_ball;
-        case SDLK_DELETE:
-        case SDLK_BACKSPACE:
-            return Action::clear_selection;
-        case SDLK_F3:
-            return Action::toggle_timings;
-        case SDLK_f:
-            return Action::share;
-        case SDLK_F4:
-            return Action::toggle_laws;
-        case SDLK_TAB:
-            return Action::toggle_panels;
-        case SDLK_F11:
-            return Action::full_screen;
-        case SDLK_HOME:
-            return Action::camera_home;
-        case SDLK_F1:
-            return Action::toggle_help;
-        case SDLK_ESCAPE:
-            return Action::close;
-        default:
-            break;
+    const auto known = std::ranges::find(keys, key.sym, &KeyActions::key);
+    if (known != keys.end()) {
+        return (key.mod & KMOD_SHIFT) != 0 ? known->with_shift : known->plain;
     }
-    switch (key.scancode) {
-        case SDL_SCANCODE_LEFTBRACKET:
-            return Action::previous_scene;
-        case SDL_SCANCODE_RIGHTBRACKET:
-            return Action::next_scene;
-        case SDL_SCANCODE_1:  // some layouts have digits only with Shift
-            return Action::unit_pass;
-        case SDL_SCANCODE_2:
-            return Action::unit_stage;
-        case SDL_SCANCODE_3:
-            return Action::unit_substep;
-        case SDL_SCANCODE_4:
-            return Action::unit_step;
-        default:
-            return std::nullopt;
-    }
+    const auto place = std::ranges::find(places, key.scancode, &PlaceAction::place);
+    return place != places.end() ? std::optional(place->action) : std::nullopt;
 }
 
 std::optional<Action> control_action(const SDL_Keysym& key) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/window_main.h"
+#include "app/window_overlay.h"
 #include "ui/panels.h"
 #include "view/palette.h"
 

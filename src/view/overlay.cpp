@@ -51,7 +51,7 @@ void append_face(std::vector<LineSegment>& lines, const Box& box, int axis, bool
                  float width) {
     const int second = (axis + 1) % 3;
     const int third = (axis + 2) % 3;
-    std::array<vec3, 4> corners;
+    std::array<vec3, 4> corners{};
     for (std::size_t i = 0; i < corners.size(); ++i) {
         corners[i][axis] = upper ? box.high[axis] : box.low[axis];
         corners[i][second] = i == 1 || i == 2 ? box.high[second] : box.low[second];
