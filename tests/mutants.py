@@ -98,14 +98,18 @@ MUTANTS = [
      [("glsl/shared/walls.glsl", "pushed = pushed - wall_force(high[axis], -from_high[axis], ball);", "")],
      "A16*"),
     ("a substep lasts a step",
-     [("src/core/simulation.cpp", "substep_motion(settings_.integrator, drag(), substep_dt(), velocity_lag_)",
-       "substep_motion(settings_.integrator, drag(), settings_.dt, velocity_lag_)")], [], ""),
+     [("src/core/simulation.cpp",
+       "substep_motion(settings.integrator, drag(settings), substep_dt(settings), velocity_lag_)",
+       "substep_motion(settings.integrator, drag(settings), settings.dt, velocity_lag_)"),
+      ("src/core/simulation.cpp",
+       "substep_motion(settings_.integrator, drag(settings_), substep_dt(settings_), velocity_lag_)",
+       "substep_motion(settings_.integrator, drag(settings_), settings_.dt, velocity_lag_)")], [], ""),
     ("time is summed in float",
      [("src/core/simulation.cpp",
-       "return time_base_ + static_cast<double>(substeps_since_base_) * substep_dt();",
+       "return time_base_ + static_cast<double>(substeps_since_base_) * substep_dt(settings_);",
        "float t = static_cast<float>(time_base_);\n"
        "    for (std::uint64_t i = 0; i < substeps_since_base_; ++i) {\n"
-       "        t += static_cast<float>(substep_dt());\n"
+       "        t += static_cast<float>(substep_dt(settings_));\n"
        "    }\n"
        "    return static_cast<double>(t);")], [], ""),
     ("gravity once a contact",
