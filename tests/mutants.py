@@ -99,17 +99,17 @@ MUTANTS = [
      "A16*"),
     ("a substep lasts a step",
      [("src/core/simulation.cpp",
-       "substep_motion(settings.integrator, drag(settings), substep_dt(settings), velocity_lag_)",
-       "substep_motion(settings.integrator, drag(settings), settings.dt, velocity_lag_)"),
+       "substep_motion(settings.integrator, drag(settings), substep_dt(settings), run_.velocity_lag)",
+       "substep_motion(settings.integrator, drag(settings), settings.dt, run_.velocity_lag)"),
       ("src/core/simulation.cpp",
-       "substep_motion(settings_.integrator, drag(settings_), substep_dt(settings_), velocity_lag_)",
-       "substep_motion(settings_.integrator, drag(settings_), settings_.dt, velocity_lag_)")], [], ""),
+       "substep_motion(run_.settings.integrator, drag(run_.settings), substep_dt(run_.settings), run_.velocity_lag)",
+       "substep_motion(run_.settings.integrator, drag(run_.settings), run_.settings.dt, run_.velocity_lag)")], [], ""),
     ("time is summed in float",
      [("src/core/simulation.cpp",
-       "return time_base_ + static_cast<double>(substeps_since_base_) * substep_dt(settings_);",
-       "float t = static_cast<float>(time_base_);\n"
-       "    for (std::uint64_t i = 0; i < substeps_since_base_; ++i) {\n"
-       "        t += static_cast<float>(substep_dt(settings_));\n"
+       "return run_.time_base + static_cast<double>(run_.substeps_since_base) * substep_dt(run_.settings);",
+       "float t = static_cast<float>(run_.time_base);\n"
+       "    for (std::uint64_t i = 0; i < run_.substeps_since_base; ++i) {\n"
+       "        t += static_cast<float>(substep_dt(run_.settings));\n"
        "    }\n"
        "    return static_cast<double>(t);")], [], ""),
     ("gravity once a contact",

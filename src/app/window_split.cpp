@@ -43,7 +43,7 @@ std::optional<std::string> brute_force_refusal(std::uint32_t balls, bool has_con
 void Split::start(Session& session) {
     Simulation& left = session.simulation();
     Checkpoint checkpoint = left.checkpoint();
-    checkpoint.settings.neighbours = NeighbourSearch::brute_force;
+    checkpoint.run.settings.neighbours = NeighbourSearch::brute_force;
     stop();
     Settings settings = left.settings();
     settings.neighbours = NeighbourSearch::brute_force;

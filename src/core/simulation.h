@@ -13,23 +13,28 @@
 
 namespace ballpit {
 
-/// Everything that a running scene needs to go on from one moment, at the start of a substep. The state itself stays
-/// on the device that computed it.
-struct Checkpoint {
-    std::shared_ptr<const SavedState> state;
+/// Where a running scene stands, apart from what its backend holds.
+struct RunState {
     Settings settings;
     Box scene_box;
     WallShift walls;
-    double largest_radius = 0.0;
+    double largest_radius = 0.0;  // m
     Variety variety;
-    double velocity_lag = 0.0;
-    std::vector<double> restitutions;
-    std::uint32_t overlapping = 0;
-    std::uint32_t added = 0;
-    std::uint64_t step_count = 0;
-    std::uint32_t substep = 0;
+    double velocity_lag = 0.0;         // s, integrator.h
+    std::vector<double> restitutions;  // a ball each, or empty
+    std::uint32_t overlapping = 0;     // of the balls at the start
+    std::uint32_t added = 0;           // balls beyond those of the scene
+    std::uint64_t step_count = 0;      // whole steps since the start
+    std::uint32_t substep = 0;         // substeps of the current step that have run
     std::uint64_t substeps_since_base = 0;
-    double time_base = 0.0;
+    double time_base = 0.0;  // s, when dt last changed
+};
+
+/// Everything that a running scene needs to go on from one moment, at the start of a substep. The balls' state stays on
+/// the device that computed it.
+struct Checkpoint {
+    std::shared_ptr<const SavedState> state;
+    RunState run;
 };
 
 /// Balls thrown in while the scene runs. SI units; their own restitution is not looked at.
@@ -87,24 +92,24 @@ public:
     BallState raw_state();
 
     const Scene& scene() const { return scene_; }
-    const Settings& settings() const { return settings_; }
+    const Settings& settings() const { return run_.settings; }
     Features features() const { return schedule_.features; }
     /// The box as it stands now.
-    Box box() const { return shifted(scene_box_, walls_); }
-    const Box& scene_box() const { return scene_box_; }
+    Box box() const { return shifted(run_.scene_box, run_.walls); }
+    const Box& scene_box() const { return run_.scene_box; }
     /// Half the size of the smallest box around the origin that holds it.
     dvec3 half_extent() const { return box().half_extent(); }
-    const WallShift& wall_shift() const { return walls_; }
-    const Variety& variety() const { return variety_; }
-    double velocity_lag() const { return velocity_lag_; }
-    const std::vector<double>& restitutions() const { return restitutions_; }  // a ball each, or empty
-    std::uint32_t added() const { return added_; }                             // balls beyond those of the scene
+    const WallShift& wall_shift() const { return run_.walls; }
+    const Variety& variety() const { return run_.variety; }
+    double velocity_lag() const { return run_.velocity_lag; }
+    const std::vector<double>& restitutions() const { return run_.restitutions; }  // a ball each, or empty
+    std::uint32_t added() const { return run_.added; }                             // balls beyond those of the scene
     /// Another number: another schedule.
     std::uint64_t schedule_changes() const { return schedule_changes_; }
     std::uint64_t seed() const { return seed_; }
-    std::uint64_t step_count() const { return step_count_; }    // whole steps since the start
-    std::uint32_t substep_in_step() const { return substep_; }  // substeps of the current step that have run
-    std::uint32_t overlapping_at_start() const { return overlapping_; }
+    std::uint64_t step_count() const { return run_.step_count; }    // whole steps since the start
+    std::uint32_t substep_in_step() const { return run_.substep; }  // substeps of the current step that have run
+    std::uint32_t overlapping_at_start() const { return run_.overlapping; }
     /// s since the start, from integer counters; dt may have changed on the way.
     double time() const;
     Backend& backend() { return *backend_; }
@@ -114,7 +119,7 @@ private:
     void load_world(World world);
     void load_state(const BallState& state);
     void load_backend(Backend& backend, BallState state) const;
-    bool walls_move() const { return ballpit::walls_move(walls_, settings_, scene_box_, wall_room()); }
+    bool walls_move() const { return ballpit::walls_move(run_.walls, run_.settings, run_.scene_box, wall_room()); }
     Features wanted_features(const Settings& settings) const;
     void set_schedule(std::uint32_t ball_count);
     Walls walls(const Settings& settings) const;
@@ -123,26 +128,14 @@ private:
     void rebase_clock();
     static double substep_dt(const Settings& settings) { return settings.dt / settings.substeps; }
     static double drag(const Settings& settings) { return settings.laws.drag ? settings.drag : 0.0; }
-    double wall_room() const { return 2.0 * largest_radius_; }
+    double wall_room() const { return 2.0 * run_.largest_radius; }
 
     Scene scene_;
-    Settings settings_;
     std::uint64_t seed_ = 0;
     std::unique_ptr<Backend> backend_;
     Schedule schedule_;
     std::uint64_t schedule_changes_ = 0;
-    Box scene_box_;
-    WallShift walls_;
-    double largest_radius_ = 0.0;
-    Variety variety_;
-    double velocity_lag_ = 0.0;
-    std::vector<double> restitutions_;
-    std::uint32_t overlapping_ = 0;
-    std::uint32_t added_ = 0;
-    std::uint64_t step_count_ = 0;
-    std::uint32_t substep_ = 0;
-    std::uint64_t substeps_since_base_ = 0;
-    double time_base_ = 0.0;
+    RunState run_;
 };
 
 }  // namespace ballpit
