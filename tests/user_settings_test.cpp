@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/user_folders.h"
+#include "app/window_start.h"
 #include "support/catch.h"
 #include "support/input_error.h"
 #include "support/temporary_folder.h"
@@ -47,6 +48,27 @@ std::string text_of(const fs::path& file) {
 }
 
 }  // namespace
+
+TEST_CASE("a scene comes back with the laws it was left with, and with what only these laws use", "[user-settings]") {
+    UserSettings user;
+    user.scene = "elastic_gas";  // has no drag
+    user.changed = {{"drag", "0.25"}, {"laws", "drag,contact,walls"}};
+    std::string message;
+    const Setup setup = make_window_setup({}, user, message);
+    CHECK(message.empty());
+    CHECK(setup.scene.name == "Elastic gas");
+    CHECK(setup.settings.laws.drag);
+    CHECK(setup.settings.drag == 0.25);
+}
+
+TEST_CASE("a scene that cannot come back is told of, and the usual one opens", "[user-settings]") {
+    UserSettings user;
+    user.scene = "elastic_gas";
+    user.changed = {{"stiffness", "-1"}};
+    std::string message;
+    CHECK(make_window_setup({}, user, message).scene.name == "Rain");
+    CHECK(message.find("stiffness") != std::string::npos);
+}
 
 TEST_CASE("what the window remembers comes back as it was", "[user-settings]") {
     const test::TemporaryFolder home;

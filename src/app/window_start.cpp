@@ -1,10 +1,9 @@
-// `ballpit`: what the window starts with, from the command line and from what it remembers.
+#include "app/window_start.h"
+
 #include "app/commands.h"
-#include "app/setup.h"
 #include "app/share_code.h"
 #include "app/shared_run.h"
 #include "app/user_folders.h"
-#include "app/user_settings.h"
 #include "app/window.h"
 #include "core/error.h"
 
@@ -17,28 +16,28 @@ bool chosen(const Options& options) {
     return options.scene_given || !options.set.empty() || options.seed || !options.code.empty();
 }
 
-Options with_last_scene(Options options, const UserSettings& user) {
+// All at once and in no order: a law that was added decides which of the others apply.
+Setup last_setup(Options options, const UserSettings& user) {
     options.scene = user.scene;
     options.seed = user.seed;
-    for (const auto& [key, value] : user.changed) {
-        options.set.emplace_back(key).append("=").append(value);
-    }
-    return options;
+    Setup setup = make_setup(options);
+    assign_settings(setup.settings, {user.changed.begin(), user.changed.end()});
+    return setup;
 }
+
+}  // namespace
 
 // A scene file that is gone, or a setting that it no longer has, must not keep the window from opening.
 Setup make_window_setup(const Options& options, const UserSettings& user, std::string& message) {
     if (!chosen(options) && !user.scene.empty()) {
         try {
-            return make_setup(with_last_scene(options, user));
+            return last_setup(options, user);
         } catch (const InputError& error) {
             message = "The last scene does not come back: " + std::string(error.what());
         }
     }
     return make_setup(options);
 }
-
-}  // namespace
 
 int open_window(const Options& options) {
     WindowOptions window;
