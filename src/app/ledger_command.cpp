@@ -13,6 +13,7 @@
 #include "core/ledger.h"
 #include "core/scene_file.h"
 #include "core/scene_schedule.h"
+#include "core/text.h"
 #include "gl/context.h"
 #include "gl/error.h"
 #include "gpu/programs.h"
@@ -65,19 +66,11 @@ private:
     std::unique_ptr<gpu::Programs> programs_;
 };
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : ", ") + word;
-    }
-    return text;
-}
-
 std::string barrier_text(const BarrierCount& count) {
     return std::to_string(count.before) + "+" + std::to_string(count.within);
 }
 
-std::string number_text(double value) {
+std::string five_digits(double value) {
     std::ostringstream out;
     out << std::setprecision(5) << value;
     return out.str();
@@ -94,7 +87,7 @@ void print(std::ostream& out, const Row& row, std::optional<std::size_t> constan
     const Schedule& schedule = row.schedule;
     const std::size_t cells = bytes_of(schedule)[static_cast<std::size_t>(Slot::cell_ranges)];
     out << std::left << std::setw(20) << row.name << std::right << std::setw(9) << schedule.ball_count << std::setw(8)
-        << number_text(bytes_per_ball(schedule)) << std::setw(11) << (cells + 1023) / 1024 << std::setw(12)
+        << five_digits(bytes_per_ball(schedule)) << std::setw(11) << (cells + 1023) / 1024 << std::setw(12)
         << schedule.dispatches.size() << std::setw(8) << dispatches_of(schedule, Stage::bitonic_sort) << std::setw(10)
         << barrier_text(count_barriers(schedule)) << std::setw(7) << bound_slots(schedule).size() << std::setw(11)
         << (constants ? std::to_string(*constants) : "?") << "  " << laws_text(row.settings.laws) << "\n"

@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
+
+#include "core/world.h"
 
 namespace ballpit::app {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double volume(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; }
-
 BallSpec ball_at(const dvec3& place, const dvec3& velocity, const ui::PlayOptions& options) {
-    return {place, velocity, options.radius, options.density * volume(options.radius), std::nullopt};
+    return {place, velocity, options.radius, sphere_mass(options.radius, options.density), std::nullopt};
 }
 
 // Where the centre of such a ball may be.
@@ -122,7 +119,7 @@ ui::PlayOptions usual_play(const Scene& scene) {
     for (const BallSpec& ball : scene.balls) {
         if (ball.radius > usual.radius) {
             usual.radius = ball.radius;
-            usual.density = ball.mass / volume(ball.radius);
+            usual.density = ball.mass / sphere_mass(ball.radius, 1.0);
         }
     }
     if (usual.radius == 0.0) {  // no balls

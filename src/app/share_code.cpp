@@ -8,7 +8,9 @@
 #include "app/base64url.h"
 #include "app/report.h"
 #include "core/error.h"
+#include "core/hash.h"
 #include "core/json_document.h"
+#include "core/scene_sections.h"
 #include "core/scene_writer.h"
 #include "core/settings.h"
 #include "view/stb.h"
@@ -25,10 +27,6 @@ constexpr std::size_t most_json = std::size_t{64} << 20;  // bytes that a code m
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 40;
 constexpr std::uint64_t most_substeps = 1024;
 constexpr std::uint64_t any_number = std::numeric_limits<std::uint32_t>::max();
-constexpr double smallest_ball = 1e-3;  // m
-constexpr double largest_ball = 1e4;
-constexpr double lightest_ball = 1e-9;  // kg
-constexpr double heaviest_ball = 1e12;
 const std::string place = "the share code";
 
 json texts_json(const SettingTexts& texts) {
@@ -108,8 +106,8 @@ BallSpec read_ball(const JsonValue& list) {
     BallSpec ball;
     ball.position = {number(0), number(1), number(2)};
     ball.velocity = {number(3), number(4), number(5)};
-    ball.radius = list.element(6).number_between(smallest_ball, largest_ball, "m");
-    ball.mass = list.element(7).number_between(lightest_ball, heaviest_ball, "kg");
+    ball.radius = list.element(6).number_between(smallest_length, largest_length, "m");
+    ball.mass = list.element(7).number_between(smallest_mass, largest_mass, "kg");
     return ball;
 }
 
@@ -239,13 +237,14 @@ std::vector<SharedChange> shared_changes(const Settings& start, const std::vecto
     return shared;
 }
 
-// FNV-1a over the text of a scene file with its values (Fowler, Noll and Vo).
+// Of the text of a scene file with its values.
 std::uint64_t scene_check(const Scene& scene) {
-    std::uint64_t hash = 0xCBF29CE484222325u;
+    HashSum sum;
+    std::uint32_t place = 0;
     for (const char letter : scene_text(scene)) {
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3u;
+        sum.add(static_cast<unsigned char>(letter), place++);
     }
-    return hash;
+    return sum.value();
 }
 
 std::string encode_share_code(const SharedCode& code) {

@@ -4,29 +4,13 @@
 #include <chrono>
 #include <utility>
 
+#include "core/ledger.h"
+
 namespace ballpit::app {
 
 namespace {
 
 constexpr double given_up_s = 1.0;  // a load on the device cancels copies that were on their way
-
-bool has_room(const Schedule& schedule, std::size_t slot) {
-    switch (static_cast<Slot>(slot)) {
-        case Slot::status:
-            return true;
-        case Slot::keys:
-            return schedule.key_count > 0;
-        case Slot::cell_ranges:
-            return schedule.cell_count > 0;
-        case Slot::damping_ratios:
-            return schedule.features.has(Feature::ball_restitution) && schedule.ball_count > 0;
-        case Slot::next_positions:
-        case Slot::next_velocities:
-            return !schedule.in_place && schedule.ball_count > 0;
-        default:
-            return schedule.ball_count > 0;
-    }
-}
 
 bool is_sort_pass(const Schedule& schedule, const Position& position) {
     return position.dispatch > 0 && schedule.dispatches[position.dispatch - 1].stage == Stage::bitonic_sort;
@@ -70,8 +54,9 @@ void Inspector::update(Session& session, bool running, double now_s) {
         read_now(session, now_s);
     }
     Backend& backend = session.simulation().backend();
+    const auto bytes = bytes_of(session.simulation().schedule());
     for (std::size_t i = 0; i < slot_count; ++i) {
-        const bool room = has_room(session.simulation().schedule(), i);
+        const bool room = bytes[i] > 0;
         wants_[i] = {wants_[i].panel && room, wants_[i].late && room};
     }
     poll(backend, now_s);

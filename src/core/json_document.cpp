@@ -211,17 +211,6 @@ private:
 
 }  // namespace
 
-std::string shortest_text(double value) {
-    std::array<char, 32> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), result.ptr};
-}
-
-std::string range_text(double minimum, double maximum, std::string_view unit) {
-    return "a number from " + shortest_text(minimum) + " to " + shortest_text(maximum) +
-           (unit.empty() ? "" : " " + std::string(unit));
-}
-
 json parse_json(std::string_view text, const std::string& file, const StreamedList& list) {
     expect_utf8(text, file);
     TreeBuilder builder(text, file, list);

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text.h"
 #include "core/vector.h"
 
 namespace ballpit {
@@ -76,11 +77,5 @@ struct StreamedList {
 /// Throws InputError with line and column (not UTF-8, not JSON, a number beyond double) or JSON pointer (a key
 /// twice, nested deeper than 16).
 nlohmann::json parse_json(std::string_view text, const std::string& file, const StreamedList& list = {});
-
-/// A number as a person would type it, and read back the same.
-std::string shortest_text(double value);
-
-/// "a number from 0 to 1 s", without a unit where it is empty.
-std::string range_text(double minimum, double maximum, std::string_view unit);
 
 }  // namespace ballpit

@@ -12,8 +12,6 @@ namespace ballpit {
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 30;
-constexpr double smallest_mass = 1e-9;     // kg
-constexpr double largest_mass = 1e12;      // kg
 constexpr double smallest_density = 1e-3;  // kg/m^3
 constexpr double largest_density = 1e6;    // kg/m^3
 constexpr double largest_number = 1e30;    // of a saved moment: what float can still compute with

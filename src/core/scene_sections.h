@@ -9,6 +9,8 @@ namespace ballpit {
 // What single precision can still compute with: beyond these, forces overflow or positions stand still.
 inline constexpr double smallest_length = 1e-3;  // m
 inline constexpr double largest_length = 1e4;    // m
+inline constexpr double smallest_mass = 1e-9;    // kg
+inline constexpr double largest_mass = 1e12;     // kg
 inline constexpr double largest_speed = 1e6;     // m/s
 
 /// Each reads the value of the key in its name into the scene. Throws InputError (json_document.h).

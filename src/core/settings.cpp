@@ -9,6 +9,7 @@
 
 #include "core/contact.h"
 #include "core/error.h"
+#include "core/text.h"
 
 namespace ballpit {
 
@@ -73,15 +74,8 @@ bool parse_number(std::string_view text, Number& value) {
     return error == std::errc{} && stop == end;
 }
 
-std::string number_text(double value) {
-    std::array<char, 32> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), result.ptr};
-}
-
-std::string range_text(const SettingInfo& info) {
-    return "from " + number_text(info.minimum) + " to " + number_text(info.maximum) +
-           (info.unit.empty() ? "" : " " + std::string(info.unit));
+std::string range_of(const SettingInfo& info, std::string_view kind = "a number") {
+    return range_text(info.minimum, info.maximum, info.unit, kind);
 }
 
 [[noreturn]] void refuse(const SettingInfo& info, std::string_view text, const std::string& expected) {
@@ -94,11 +88,7 @@ void assign_choice(const SettingInfo& info, std::string_view text, Enum& value) 
     const auto names = setting_choices(info);
     const auto found = std::ranges::find(names, text);
     if (found == names.end()) {
-        std::string list;
-        for (const std::string_view name : names) {
-            list += (list.empty() ? "" : ", ") + std::string(name);
-        }
-        refuse(info, text, "one of " + list);
+        refuse(info, text, "one of " + joined(names));
     }
     value = static_cast<Enum>(found - names.begin());
 }
@@ -112,7 +102,7 @@ struct Assign {
     double real(std::string_view part) const {
         double value = 0.0;
         if (!parse_number(part, value) || !std::isfinite(value) || value < info.minimum || value > info.maximum) {
-            refuse(info, text, "a number " + range_text(info));
+            refuse(info, text, range_of(info));
         }
         return value;
     }
@@ -120,7 +110,7 @@ struct Assign {
     void operator()(std::uint32_t Settings::*member) const {
         std::uint32_t value = 0;
         if (!parse_number(text, value) || value < info.minimum || value > info.maximum) {
-            refuse(info, text, "a whole number " + range_text(info));
+            refuse(info, text, range_of(info, "a whole number"));
         }
         settings.*member = value;
     }
@@ -134,7 +124,7 @@ struct Assign {
         const std::size_t first = part.find(',');
         const std::size_t second = first == std::string_view::npos ? first : part.find(',', first + 1);
         if (second == std::string_view::npos) {
-            refuse(info, text, "three numbers x,y,z, each " + range_text(info));
+            refuse(info, text, range_of(info, "three numbers x,y,z, each"));
         }
         return {real(part.substr(0, first)), real(part.substr(first + 1, second - first - 1)),
                 real(part.substr(second + 1))};
@@ -162,11 +152,11 @@ struct Assign {
 struct Text {
     const Settings& settings;
 
-    std::string operator()(double Settings::*member) const { return number_text(settings.*member); }
+    std::string operator()(double Settings::*member) const { return shortest_text(settings.*member); }
     std::string operator()(std::uint32_t Settings::*member) const { return std::to_string(settings.*member); }
     std::string operator()(bool Settings::*member) const { return settings.*member ? "true" : "false"; }
     static std::string vector(const dvec3& v) {
-        return number_text(v.x) + "," + number_text(v.y) + "," + number_text(v.z);
+        return shortest_text(v.x) + "," + shortest_text(v.y) + "," + shortest_text(v.z);
     }
     std::string operator()(dvec3 Settings::*member) const { return vector(settings.*member); }
     std::string operator()(Integrator Settings::*member) const {
@@ -226,8 +216,7 @@ void assign_setting(Settings& settings, std::string_view key, std::string_view t
 
 void check_range(const SettingInfo& info, double value, std::string_view place) {
     if (!std::isfinite(value) || value < info.minimum || value > info.maximum) {
-        throw InputError(std::string(place) + ": expected a number " + range_text(info) + ", found " +
-                         number_text(value));
+        throw InputError(std::string(place) + ": expected " + range_of(info) + ", found " + shortest_text(value));
     }
 }
 

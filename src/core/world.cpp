@@ -78,10 +78,6 @@ private:
     std::vector<std::uint32_t> next_;
 };
 
-double sphere_mass(double radius, double density) {
-    return density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-}
-
 // Uniform on the sphere (Archimedes: z is uniform).
 dvec3 random_direction(std::uint64_t seed, std::uint64_t ball) {
     const double z = 2.0 * random_unit(seed, stream_direction, 2 * ball) - 1.0;
@@ -134,6 +130,10 @@ Variety variety_of(const BallState& balls) {
     variety.radii = std::ranges::any_of(balls.positions, [&](const vec4& p) { return p.w != variety.radius; });
     variety.masses = std::ranges::any_of(balls.velocities, [&](const vec4& v) { return v.w != variety.mass; });
     return variety;
+}
+
+double sphere_mass(double radius, double density) {
+    return density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
 
 double largest_radius(const BallState& balls) {

@@ -23,6 +23,9 @@ Variety variety_of(const BallState& balls);
 /// m; 0 without balls.
 double largest_radius(const BallState& balls);
 
+/// kg, of a ball of this radius (m) and density (kg/m^3).
+double sphere_mass(double radius, double density);
+
 /// Appends a ball; values are rounded to single. Restitutions are those of ball_restitutions.
 void add_ball(BallState& balls, const BallSpec& spec);
 

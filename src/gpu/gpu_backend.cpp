@@ -5,6 +5,7 @@
 
 #include "core/contact.h"
 #include "core/error.h"
+#include "core/ledger.h"
 #include "gl/debug.h"
 #include "gl/error.h"
 #include "gpu/barriers.h"
@@ -70,14 +71,13 @@ void GpuBackend::reserve(Slot slot, std::size_t bytes) {
 }
 
 void GpuBackend::load(const BallState& state, const Schedule& schedule, bool limit_force) {
-    const std::size_t state_bytes = state.positions.size() * sizeof(vec4);
-    reserve(Slot::positions, state_bytes);
-    reserve(Slot::velocities, state_bytes);
-    reserve(Slot::next_positions, schedule.in_place ? 0 : state_bytes);
-    reserve(Slot::next_velocities, schedule.in_place ? 0 : state_bytes);
+    const auto bytes = bytes_of(schedule);
+    for (const Slot slot :
+         {Slot::positions, Slot::velocities, Slot::next_positions, Slot::next_velocities, Slot::status}) {
+        reserve(slot, bytes[static_cast<std::size_t>(slot)]);
+    }
     const std::vector<float> ratios = damping_ratios_of(state.restitutions, limit_force);
     reserve(Slot::damping_ratios, ratios.size() * sizeof(float));
-    reserve(Slot::status, sizeof(Status));
     reschedule(schedule);
     const Status clean{};
     write(Slot::positions, std::as_bytes(std::span(state.positions)));
@@ -92,8 +92,10 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
 
 void GpuBackend::reschedule(const Schedule& schedule) {
     readbacks_ = {};  // a copy under way is of buffers that no longer hold
-    reserve(Slot::keys, schedule.key_count * sizeof(Key));
-    reserve(Slot::cell_ranges, schedule.cell_count * sizeof(CellRange));
+    const auto bytes = bytes_of(schedule);
+    for (const Slot slot : {Slot::keys, Slot::cell_ranges}) {
+        reserve(slot, bytes[static_cast<std::size_t>(slot)]);
+    }
     // Whoever looks before the first substep sees no keys and empty cells, not what memory held.
     write(Slot::keys, std::as_bytes(std::span<const Key>(std::vector(schedule.key_count, Key{SENTINEL, SENTINEL}))));
     write(Slot::cell_ranges,
