@@ -53,6 +53,10 @@ public:
     void write(Slot slot, std::span<const std::byte> bytes) override { inner_.write(slot, bytes); }
     void request(Slot slot) override { inner_.request(slot); }
     std::optional<Bytes> poll(Slot slot) override { return inner_.poll(slot); }
+    void start_history(std::uint32_t entries) override { inner_.start_history(entries); }
+    void record_history() override { inner_.record_history(); }
+    void request_history() override { inner_.request_history(); }
+    std::optional<Bytes> poll_history() override { return inner_.poll_history(); }
     void set_timing(bool on) override { inner_.set_timing(on); }
     std::vector<StageTimes> take_times() override { return inner_.take_times(); }
     void finish() override { inner_.finish(); }

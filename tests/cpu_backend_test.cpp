@@ -16,6 +16,7 @@ TEMPLATE_TEST_CASE("the mirror keeps the backend's promises", "[mirror]", float,
     test::times_every_stage(backend);
     test::status_adds_up(backend);
     test::saves_and_restores(backend);
+    test::remembers_states(backend);
     test::works_in_place(backend);
 }
 

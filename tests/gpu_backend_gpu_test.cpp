@@ -24,6 +24,10 @@ TEST_CASE_METHOD(GlFixture, "the GPU's buffers grow and shrink", "[gpu-backend]"
     test::buffers_grow_and_shrink(*test::gpu_backend());
 }
 
+TEST_CASE_METHOD(GlFixture, "the GPU remembers states", "[gpu-backend]") {
+    test::remembers_states(*test::gpu_backend());
+}
+
 TEST_CASE_METHOD(GlFixture, "the GPU reschedules in the middle", "[gpu-backend]") {
     test::reschedules_in_the_middle(*test::gpu_backend());
 }

@@ -87,6 +87,16 @@ public:
     virtual void request(Slot slot) = 0;
     virtual std::optional<Bytes> poll(Slot slot) = 0;
 
+    /// A history of few balls: makes room on the device for `entries` copies of positions and velocities (0: gives it
+    /// back) and forgets what was there. For the balls that are loaded; load another count, and start it again.
+    virtual void start_history(std::uint32_t entries) = 0;
+    /// Copies positions and velocities, as they are now, to the next place of the history; nobody waits.
+    virtual void record_history() = 0;
+    /// Asks for what was recorded, without waiting, and begins again at the first place; poll_history() has it some
+    /// frames later: for each entry, a vec4 a ball of positions, then of velocities. Ignored while one is under way.
+    virtual void request_history() = 0;
+    virtual std::optional<Bytes> poll_history() = 0;
+
     /// Whether whole-substep runs are timed. Results come late: take_times() has those that are there.
     virtual void set_timing(bool on) = 0;
     virtual std::vector<StageTimes> take_times() = 0;

@@ -2,22 +2,31 @@
 
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ballpit {
 
 namespace {
 
+double limited_duration(double zeta) {
+    if (zeta < 1.0) {
+        const double s = std::sqrt(1.0 - zeta * zeta);
+        return (std::numbers::pi - std::atan2(2.0 * zeta * s, 1.0 - 2.0 * zeta * zeta)) / s;
+    }
+    if (zeta == 1.0) {
+        return 2.0;  // the common limit of both branches
+    }
+    const double s = std::sqrt(zeta * zeta - 1.0);
+    return std::log((zeta + s) / (zeta - s)) / s;
+}
+
 double limited_restitution(double zeta) {
     if (zeta < 1.0) {
         const double s = std::sqrt(1.0 - zeta * zeta);
         return std::exp(-(zeta / s) * (std::numbers::pi - std::atan2(2.0 * zeta * s, 1.0 - 2.0 * zeta * zeta)));
     }
-    if (zeta == 1.0) {
-        return std::exp(-2.0);  // the common limit of both branches
-    }
-    const double s = std::sqrt(zeta * zeta - 1.0);
-    return std::exp(-(zeta / s) * std::log((zeta + s) / (zeta - s)));
+    return std::exp(-zeta * limited_duration(zeta));
 }
 
 double unlimited_restitution(double zeta) {
@@ -32,6 +41,23 @@ double unlimited_restitution(double zeta) {
 double restitution_from_damping_ratio(double zeta, bool limit_force) {
     assert(zeta >= 0.0);
     return limit_force ? limited_restitution(zeta) : unlimited_restitution(zeta);
+}
+
+double contact_duration(double zeta, bool limit_force) {
+    assert(zeta >= 0.0);
+    if (limit_force) {
+        return limited_duration(zeta);
+    }
+    return zeta < 1.0 ? std::numbers::pi / std::sqrt(1.0 - zeta * zeta) : std::numeric_limits<double>::infinity();
+}
+
+double largest_overlap(double zeta) {
+    assert(zeta >= 0.0);
+    if (zeta == 1.0) {
+        return std::exp(-1.0);  // the common limit of both branches
+    }
+    const double s = std::sqrt(std::abs(1.0 - zeta * zeta));
+    return std::exp(-(zeta / s) * (zeta < 1.0 ? std::acos(zeta) : std::atanh(s / zeta)));
 }
 
 double damping_ratio_from_restitution(double e, bool limit_force) {

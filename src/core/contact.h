@@ -16,7 +16,17 @@ inline constexpr double minimum_restitution = 0.05;
 /// Matter 9, eq. 21); without, when the overlap returns to zero, e = exp(-pi zeta / sqrt(1 - zeta^2)).
 double restitution_from_damping_ratio(double zeta, bool limit_force);
 
-/// Inverse of the above, by bisection to 1e-15 in zeta. e >= 1 gives 0. Expects e >= minimum_restitution.
+/// How long that contact lasts, in units of 1/w with w = sqrt(k / m_eff): e = exp(-zeta * this), since what is left of
+/// the speed when the force ends is that of the decaying oscillation. Infinite for zeta >= 1 where the force is not
+/// limited.
+double contact_duration(double zeta, bool limit_force);
+
+/// The largest overlap of a collision at speed v, in units of v/w: where the speed of the decaying oscillation
+/// x(t) = v/(w s) exp(-zeta w t) sin(s w t), s = sqrt(1 - zeta^2), vanishes, which is at s w t = acos(zeta).
+double largest_overlap(double zeta);
+
+/// Inverse of restitution_from_damping_ratio, by bisection to 1e-15 in zeta. e >= 1 gives 0. Expects e >=
+/// minimum_restitution.
 double damping_ratio_from_restitution(double e, bool limit_force);
 
 /// One for each ball, rounded to single: what the shaders read.

@@ -247,6 +247,36 @@ std::optional<Bytes> CpuBackend<Real>::poll(Slot slot) {
 }
 
 template <class Real>
+void CpuBackend<Real>::start_history(std::uint32_t entries) {
+    history_limit_ = std::size_t{entries} * 2 * positions_.size() * sizeof(vec4);
+    history_ = {};
+    history_.reserve(history_limit_);
+    requested_history_.reset();
+}
+
+template <class Real>
+void CpuBackend<Real>::record_history() {
+    for (const Slot slot : {Slot::positions, Slot::velocities}) {
+        const Bytes copy = read(slot);
+        history_.insert(history_.end(), copy.begin(), copy.end());
+    }
+    assert(history_.size() <= history_limit_);
+}
+
+template <class Real>
+void CpuBackend<Real>::request_history() {
+    if (!requested_history_) {
+        requested_history_ = std::exchange(history_, {});
+        history_.reserve(history_limit_);
+    }
+}
+
+template <class Real>
+std::optional<Bytes> CpuBackend<Real>::poll_history() {
+    return std::exchange(requested_history_, std::nullopt);
+}
+
+template <class Real>
 std::vector<StageTimes> CpuBackend<Real>::take_times() {
     return std::exchange(times_, {});
 }

@@ -30,6 +30,10 @@ public:
     void write(Slot slot, std::span<const std::byte> bytes) override;
     void request(Slot slot) override;
     std::optional<Bytes> poll(Slot slot) override;
+    void start_history(std::uint32_t entries) override;
+    void record_history() override;
+    void request_history() override;
+    std::optional<Bytes> poll_history() override;
     void set_timing(bool on) override { timing_ = on; }
     std::vector<StageTimes> take_times() override;
     void finish() override {}
@@ -53,6 +57,9 @@ private:
     Status status_{};
     std::array<std::optional<Bytes>, slot_count> requested_;
     std::vector<TaggedHash> hashes_;
+    std::size_t history_limit_ = 0;  // bytes
+    Bytes history_;
+    std::optional<Bytes> requested_history_;
     bool timing_ = false;
     std::vector<StageTimes> times_;
 };

@@ -53,11 +53,12 @@ std::vector<std::byte> Buffer::read(std::size_t count) const {
     return bytes;
 }
 
-void copy(const Buffer& from, const Buffer& to, std::size_t bytes) {
-    assert(bytes <= from.size() && bytes <= to.size());
+void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t offset) {
+    assert(bytes <= from.size() && offset + bytes <= to.size());
     from.bind(GL_COPY_READ_BUFFER);
     to.bind(GL_COPY_WRITE_BUFFER);
-    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, static_cast<GLintptr>(offset),
+                        static_cast<GLsizeiptr>(bytes));
 }
 
 }  // namespace ballpit::gl

@@ -35,7 +35,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Copies the first `bytes` on the device.
-void copy(const Buffer& from, const Buffer& to, std::size_t bytes);
+/// Copies the first `bytes` on the device, to the start or to `offset`.
+void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t offset = 0);
 
 }  // namespace ballpit::gl

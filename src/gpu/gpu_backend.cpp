@@ -223,6 +223,16 @@ void GpuBackend::request(Slot slot) {
 
 std::optional<Bytes> GpuBackend::poll(Slot slot) { return readbacks_[static_cast<std::size_t>(slot)].poll(); }
 
+void GpuBackend::start_history(std::uint32_t entries) {
+    history_.start(entries, used_bytes_[physical(Slot::positions)]);
+}
+
+void GpuBackend::record_history() {
+    use(Slot::positions, Use::copy);
+    use(Slot::velocities, Use::copy);
+    history_.record(buffer(Slot::positions), buffer(Slot::velocities));
+}
+
 std::vector<StageTimes> GpuBackend::take_times() {
     std::vector<StageTimes> all;
     for (const gl::SpanTimer::Span& span : timer_.take()) {

@@ -12,6 +12,7 @@
 #include "gl/timer.h"
 #include "gpu/programs.h"
 #include "gpu/state_hasher.h"
+#include "gpu/state_history.h"
 
 namespace ballpit::gpu {
 
@@ -39,6 +40,10 @@ public:
     void write(Slot slot, std::span<const std::byte> bytes) override;
     void request(Slot slot) override;
     std::optional<Bytes> poll(Slot slot) override;
+    void start_history(std::uint32_t entries) override;
+    void record_history() override;
+    void request_history() override { history_.request(); }
+    std::optional<Bytes> poll_history() override { return history_.poll(); }
     void set_timing(bool on) override { timing_ = on; }
     std::vector<StageTimes> take_times() override;
     void finish() override;
@@ -66,6 +71,7 @@ private:
     std::uint64_t barriers_issued_ = 0;
     std::array<gl::Readback, slot_count> readbacks_;
     StateHasher hasher_;
+    StateHistory history_;
     bool timing_ = false;
     gl::SpanTimer timer_;
 };

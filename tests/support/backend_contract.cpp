@@ -119,6 +119,42 @@ void copies_arrive_as_of_the_request(Backend& backend) {
     CHECK(*positions == backend.read(Slot::positions));
 }
 
+void remembers_states(Backend& backend) {
+    for (const std::uint32_t count : {0u, 65u}) {
+        const BallState state = some_balls(count);
+        const SubstepSetup setup = some_setup(state);
+        backend.load(state, setup.schedule, true);
+        backend.start_history(3);
+        CHECK_FALSE(backend.poll_history());
+        for (const std::size_t entries : {std::size_t{3}, std::size_t{2}}) {  // the first place is used again
+            std::vector<vec4> expected;
+            for (std::size_t i = 0; i < entries; ++i) {
+                run_substep(backend, setup);
+                backend.record_history();
+                for (const Slot slot : {Slot::positions, Slot::velocities}) {
+                    const auto now = read_slot<vec4>(backend, slot);
+                    expected.insert(expected.end(), now.begin(), now.end());
+                }
+            }
+            backend.request_history();
+            run_substep(backend, setup);  // what comes later is not in it
+            backend.finish();
+            std::optional<Bytes> history;
+            for (int i = 0; i < 1000 && !history; ++i) {
+                history = backend.poll_history();
+            }
+            if (count == 0) {
+                CHECK((!history || history->empty()));
+                continue;
+            }
+            REQUIRE(history);
+            CHECK((typed<vec4>(*history) == expected));
+            CHECK_FALSE(backend.poll_history());
+        }
+        backend.start_history(0);
+    }
+}
+
 void buffers_grow_and_shrink(Backend& backend) {
     for (const std::uint32_t count : {10u, 5000u, 0u, 65u, 20000u, 3u}) {
         const BallState state = some_balls(count);

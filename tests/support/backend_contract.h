@@ -14,6 +14,7 @@ void times_every_stage(Backend& backend);
 void status_adds_up(Backend& backend);
 void saves_and_restores(Backend& backend);
 void hashes_the_state(Backend& backend);
+void remembers_states(Backend& backend);
 /// Without contacts there is one state: nothing in next_*, and all the rest holds.
 void works_in_place(Backend& backend);
 
