@@ -73,22 +73,11 @@ layout(std430, binding = SLOT_POSITIONS) buffer PositionsBlock { vec4 positions[
 layout(std430, binding = SLOT_VELOCITIES) buffer VelocitiesBlock { vec4 velocities[]; };
 #endif
 
-struct Ball {
-    uint id;
-    vec3 position;
-    vec3 velocity;
-#ifdef LAW_SPRING
-    float radius;
-    float mass;
-#endif
-#ifdef LAW_DASHPOT
-    float damping_ratio;
-#endif
-};
-
+#define NEIGHBOUR_SUM vec3       // the force, N
 #ifdef LAW_SPRING
 #include "shared/contact.glsl"
 #endif
+#include "shared/contact_ball.glsl"
 #ifdef LAW_CONTACT
 #include "shared/pair.glsl"
 #ifdef NEIGHBOURS_BRUTE_FORCE
@@ -102,21 +91,6 @@ struct Ball {
 #ifdef LAW_WALLS
 #include "shared/walls.glsl"
 #endif
-
-Ball make_ball(uint id, vec4 position, vec4 velocity) {
-    Ball ball;
-    ball.id = id;
-    ball.position = position.xyz;
-    ball.velocity = velocity.xyz;
-#ifdef LAW_SPRING
-    ball.radius = radius_of(position);
-    ball.mass = mass_of(velocity);
-#endif
-#ifdef LAW_DASHPOT
-    ball.damping_ratio = damping_ratio_of(id);
-#endif
-    return ball;
-}
 
 vec3 acceleration(Ball ball) {
     precise vec3 a = vec3(0.0);

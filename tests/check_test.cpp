@@ -49,6 +49,12 @@ public:
     void restore(const SavedState& state, const Schedule& schedule) override { inner_.restore(state, schedule); }
     void request_hash(std::uint64_t tag) override { inner_.request_hash(tag); }
     std::vector<TaggedHash> take_hashes() override { return inner_.take_hashes(); }
+    void request_reading(std::uint64_t tag, const Schedule& schedule, const SubstepParams<double>& params,
+                         const Synchronisation& synchronisation) override {
+        inner_.request_reading(tag, schedule, params, synchronisation);
+    }
+    std::vector<TaggedReading> take_readings() override { return inner_.take_readings(); }
+    std::vector<double> take_reading_times() override { return inner_.take_reading_times(); }
     Bytes read(Slot slot) override { return inner_.read(slot); }
     void write(Slot slot, std::span<const std::byte> bytes) override { inner_.write(slot, bytes); }
     void request(Slot slot) override { inner_.request(slot); }

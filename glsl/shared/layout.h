@@ -27,6 +27,38 @@
 #define BINDING_HASHES SLOT_KEYS  // HashSum an entry
 #define HASH_RING_SIZE 256
 
+// meter and meter_sum are no part of a substep either: their buffers take the places of slots that they do not read.
+#define BINDING_METER_PARTS SLOT_STATUS          // METER_VALUES floats a work group
+#define BINDING_METER_RING SLOT_NEXT_POSITIONS   // METER_VALUES floats an entry
+#define METER_RING_SIZE 256
+#define METER_LANES 32            // parts that meter_sum adds up side by side
+
+// What is metered, by place. The first METER_SUMS are sums over all balls, the others the largest of any. Units and
+// meaning: core/meter.h.
+#define METER_KINETIC 0
+#define METER_POTENTIAL 1
+#define METER_ELASTIC 2
+#define METER_CONTACT_HEAT 3
+#define METER_WALL_HEAT 4
+#define METER_WALL_WORK 5
+#define METER_HAND_WORK 6
+#define METER_MOMENTUM 7          // three
+#define METER_ANGULAR_MOMENTUM 10 // three
+#define METER_OVERLAP_SHARES 13
+#define METER_CONTACT_ENDS 14
+#define METER_WALL_CONTACTS 15
+#define METER_FLOOR_FORCE 16
+#define METER_MASS 17
+#define METER_SUMS 18
+#define METER_OVERLAP 18
+#define METER_OVERLAP_SHARE 19
+#define METER_SPEED 20
+#define METER_STIFFNESS 21
+#define METER_SPEED_SHARE 22
+#define METER_LIGHTNESS 23
+#define METER_DASHPOT 24
+#define METER_VALUES 25
+
 // Uniform block of a shader: the constants of a substep that it needs, under the names of core/substep_params.h. Which
 // those are differs from permutation to permutation, so the driver says where they lie.
 #define BLOCK_PARAMS 0

@@ -26,16 +26,32 @@ float pair_force(Ball a, uint other, vec3 normal, float overlap) {
 #endif
 }
 
-void add_pair(Ball a, uint other, inout vec3 force) {
+// A contact, where there is one: its normal, away from the other ball, the overlap (m), and the sum of the radii (m).
+bool touches(Ball a, uint other, out vec3 normal, out float overlap, out float radii) {
     vec4 position = positions[other];
     precise vec3 offset = a.position - position.xyz;
     precise float reach = a.radius + radius_of(position);
     precise float distance_squared = ordered_dot(offset, offset);
     precise float reach_squared = reach * reach;
+    radii = reach;
     if (distance_squared < reach_squared) {   // false for NaN
         float separation = sqrt(distance_squared);
-        precise vec3 normal = distance_squared > 0.0 ? offset / separation : coincident_direction(a.id, other);
-        precise float overlap = reach - separation;
+        precise vec3 direction = distance_squared > 0.0 ? offset / separation : coincident_direction(a.id, other);
+        precise float depth = reach - separation;
+        normal = direction;
+        overlap = depth;
+        return true;
+    }
+    normal = vec3(0.0);
+    overlap = 0.0;
+    return false;
+}
+
+void add_pair(Ball a, uint other, inout vec3 force) {
+    vec3 normal;
+    float overlap;
+    float radii;
+    if (touches(a, other, normal, overlap, radii)) {
         precise vec3 sum = force + pair_force(a, other, normal, overlap) * normal;
         force = sum;
     }

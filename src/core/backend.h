@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/ball_state.h"
+#include "core/meter.h"
 #include "core/schedule.h"
 #include "core/substep_params.h"
 
@@ -76,6 +77,15 @@ public:
     /// the order of asking.
     virtual void request_hash(std::uint64_t tag) = 0;
     virtual std::vector<TaggedHash> take_hashes() = 0;
+
+    /// Asks for what is to be metered of the substep's start, without waiting; take_readings() has those that are
+    /// there, in the order of asking. Where balls touch each other: between the last dispatch and swap_states(). In
+    /// place: before the first dispatch.
+    virtual void request_reading(std::uint64_t tag, const Schedule& schedule, const SubstepParams<double>& params,
+                                 const Synchronisation& synchronisation) = 0;
+    virtual std::vector<TaggedReading> take_readings() = 0;
+    /// ms that each reading took the device, as far as it is known; late as well.
+    virtual std::vector<double> take_reading_times() = 0;
 
     /// The bytes of a slot, in the layout of layout.h. Waits for the device.
     virtual Bytes read(Slot slot) = 0;

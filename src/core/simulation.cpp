@@ -45,6 +45,7 @@ void Simulation::load_world(World world) {
     run_.time_base = from.time;
     world.balls.velocity_lag = from.velocity_lag;
     load_state(world.balls);
+    interrupt_meters();
 }
 
 void Simulation::load_state(const BallState& state) {
@@ -116,7 +117,17 @@ void Simulation::advance_walls() {
     }
 }
 
+void Simulation::begin_substep() {
+    if (metering_ && !metered_ && schedule_.in_place) {
+        request_reading();
+    }
+}
+
 void Simulation::end_substep() {
+    if (metering_ && !metered_ && !schedule_.in_place) {
+        request_reading();
+    }
+    metered_ = false;
     if (!schedule_.in_place) {
         backend_->swap_states();
     }
@@ -133,6 +144,7 @@ void Simulation::end_substep() {
 }
 
 void Simulation::substep() {
+    begin_substep();
     backend_->run(schedule_, params(), 0, schedule_.dispatches.size());
     end_substep();
 }
@@ -150,6 +162,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
     run_ = checkpoint.run;
     set_schedule(checkpoint.state->ball_count());
     backend_->restore(*checkpoint.state, schedule_);
+    interrupt_meters();
 }
 
 double Simulation::time() const {
@@ -165,6 +178,7 @@ void Simulation::change(const Settings& wanted) {
     if (wanted == run_.settings) {
         return;
     }
+    interrupt_meters(wanted);
     const bool other_count = wanted.balls != run_.settings.balls;
     const bool other_program = wanted_features(wanted) != schedule_.features;
     const bool other_damping = ball_restitutions(scene_, wanted, run_.settings.balls) != run_.restitutions;
@@ -218,6 +232,7 @@ void Simulation::add(const AddBalls& added) {
         add_ball(state, spec);
     }
     rebase_clock();
+    interrupt_meters();
     run_.settings.balls = static_cast<std::uint32_t>(count);
     run_.added += static_cast<std::uint32_t>(added.balls.size());
     load_state(state);
@@ -234,6 +249,7 @@ void Simulation::apply(const Change& change) {
 void Simulation::use(std::unique_ptr<Backend> backend) {
     load_backend(*backend, raw_state());
     backend_ = std::move(backend);
+    interrupt_meters();
 }
 
 BallState Simulation::raw_state() {
@@ -249,17 +265,23 @@ BallState Simulation::synchronised_state() {
     const auto params = make_substep_params(run_.settings, walls(run_.settings), schedule_.grid,
                                             synchronising_motion(drag(run_.settings), run_.velocity_lag),
                                             schedule_.ball_count, run_.variety);
+    run_aside(params, [&] {  // a kick without a drift: not a substep
+        state.velocities = read_slot<vec4>(*backend_, schedule_.in_place ? Slot::velocities : Slot::next_velocities);
+    });
+    state.velocity_lag = 0.0;
+    return state;
+}
+
+void Simulation::run_aside(const SubstepParams<double>& params, const std::function<void()>& look) {
     const auto before = schedule_.in_place ? backend_->save() : nullptr;
     const Bytes status = backend_->read(Slot::status);
-    backend_->run(schedule_, params, 0, schedule_.dispatches.size());  // a kick without a drift: not a substep
-    state.velocities = read_slot<vec4>(*backend_, schedule_.in_place ? Slot::velocities : Slot::next_velocities);
-    state.velocity_lag = 0.0;
+    backend_->run(schedule_, params, 0, schedule_.dispatches.size());
+    look();
     if (before != nullptr) {
         backend_->restore(*before, schedule_);
     } else {
-        backend_->write(Slot::status, status);  // what the kick counted does not count
+        backend_->write(Slot::status, status);  // what was counted aside does not count
     }
-    return state;
 }
 
 }  // namespace ballpit

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -65,7 +66,18 @@ public:
     /// with params(), then end.
     const Schedule& schedule() const { return schedule_; }
     SubstepParams<double> params() const;
+    void begin_substep();
     void end_substep();
+
+    /// Whether every substep is metered (meter.h); off, it costs nothing. Who runs a substep in parts begins it and
+    /// ends it, or its reading is missing.
+    void set_metering(bool on);
+    bool metering() const { return metering_; }
+    /// Meters the present moment, at the start of a substep, without waiting for that substep to run: at the price of
+    /// one where balls touch each other.
+    void meter();
+    /// The records that have arrived, oldest first; never waits.
+    std::vector<MeterRecord> take_records();
 
     /// The next substep of the present balls as it would be with other settings of the same count; nothing changes.
     Plan plan(const Settings& settings) const;
@@ -116,6 +128,7 @@ public:
     const Backend& backend() const { return *backend_; }
 
 private:
+    void request_reading();
     void load_world(World world);
     void load_state(const BallState& state);
     void load_backend(Backend& backend, BallState state) const;
@@ -129,6 +142,10 @@ private:
     static double substep_dt(const Settings& settings) { return settings.dt / settings.substeps; }
     static double drag(const Settings& settings) { return settings.laws.drag ? settings.drag : 0.0; }
     double wall_room() const { return 2.0 * run_.largest_radius; }
+    void interrupt_meters();
+    void interrupt_meters(const Settings& wanted);
+    /// The substep's dispatches with these constants, and what is to be seen of the result; then nothing has happened.
+    void run_aside(const SubstepParams<double>& params, const std::function<void()>& look);
 
     Scene scene_;
     std::uint64_t seed_ = 0;
@@ -136,6 +153,10 @@ private:
     Schedule schedule_;
     std::uint64_t schedule_changes_ = 0;
     RunState run_;
+    bool metering_ = false;
+    bool metered_ = false;  // the present moment
+    std::uint64_t meter_run_ = 0;
+    MeterQueue meter_queue_;
 };
 
 }  // namespace ballpit

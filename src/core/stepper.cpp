@@ -62,6 +62,9 @@ const Schedule& Stepper::schedule() {
 }
 
 void Stepper::run_dispatches(std::uint32_t last) {
+    if (dispatch_ == 0) {
+        simulation_.begin_substep();
+    }
     if (runner_) {
         runner_(schedule(), simulation_.params(), dispatch_, last);
     } else {

@@ -13,6 +13,7 @@
 #include "cpu/build_grid.h"
 #include "cpu/clear_cells.h"
 #include "cpu/collide.h"
+#include "cpu/meter.h"
 
 namespace ballpit::cpu {
 
@@ -184,6 +185,26 @@ void CpuBackend<Real>::request_hash(std::uint64_t tag) {
 template <class Real>
 std::vector<TaggedHash> CpuBackend<Real>::take_hashes() {
     return std::exchange(hashes_, {});
+}
+
+template <class Real>
+void CpuBackend<Real>::request_reading(std::uint64_t tag, const Schedule& schedule, const SubstepParams<double>& params,
+                                       const Synchronisation& synchronisation) {
+    const auto start = std::chrono::steady_clock::now();
+    readings_.push_back(
+        {tag, meter<Real>(narrowed<Real>(params), schedule.features, synchronisation,
+                          {positions_, velocities_, next_velocities_, damping_ratios_, keys_, cell_ranges_})});
+    reading_times_.push_back(milliseconds_since(start));
+}
+
+template <class Real>
+std::vector<TaggedReading> CpuBackend<Real>::take_readings() {
+    return std::exchange(readings_, {});
+}
+
+template <class Real>
+std::vector<double> CpuBackend<Real>::take_reading_times() {
+    return std::exchange(reading_times_, {});
 }
 
 template <class Real>

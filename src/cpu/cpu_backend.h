@@ -24,6 +24,10 @@ public:
     void restore(const SavedState& state, const Schedule& schedule) override;
     void request_hash(std::uint64_t tag) override;
     std::vector<TaggedHash> take_hashes() override;
+    void request_reading(std::uint64_t tag, const Schedule& schedule, const SubstepParams<double>& params,
+                         const Synchronisation& synchronisation) override;
+    std::vector<TaggedReading> take_readings() override;
+    std::vector<double> take_reading_times() override;
 
     /// In the layout of layout.h: the reference's positions and velocities are rounded to float.
     Bytes read(Slot slot) override;
@@ -60,6 +64,8 @@ private:
     std::size_t history_limit_ = 0;  // bytes
     Bytes history_;
     std::optional<Bytes> requested_history_;
+    std::vector<TaggedReading> readings_;
+    std::vector<double> reading_times_;
     bool timing_ = false;
     std::vector<StageTimes> times_;
 };

@@ -41,7 +41,7 @@ GpuBackend::GpuBackend(std::filesystem::path shader_folder)
     : GpuBackend(std::make_shared<Programs>(std::move(shader_folder))) {}
 
 GpuBackend::GpuBackend(std::shared_ptr<Programs> programs)
-    : programs_(std::move(programs)), hasher_(programs_->folder()) {
+    : programs_(std::move(programs)), hasher_(programs_->folder()), meter_(programs_->folder()) {
     if (GLAD_GL_VERSION_4_3 == 0) {
         throw gl::Error("the GPU backend needs OpenGL 4.3, this context has " + gl_text(GL_VERSION));
     }
@@ -197,6 +197,19 @@ void GpuBackend::request_hash(std::uint64_t tag) {
                     static_cast<std::uint32_t>(used_bytes_[physical(Slot::positions)] / sizeof(vec4)));
     hazards_.shader_reads(Slot::positions);
     hazards_.shader_reads(Slot::velocities);
+}
+
+void GpuBackend::request_reading(std::uint64_t tag, const Schedule& schedule, const SubstepParams<double>& params,
+                                 const Synchronisation& synchronisation) {
+    const std::vector<Slot> slots = Meter::slots(schedule.features);
+    for (const Slot slot : slots) {
+        use(slot, Use::storage);
+        buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
+    }
+    meter_.request(tag, schedule.features, narrowed<float>(params), synchronisation);
+    for (const Slot slot : slots) {
+        hazards_.shader_reads(slot);
+    }
 }
 
 Bytes GpuBackend::read(Slot slot) {

@@ -10,6 +10,7 @@
 #include "gl/buffer.h"
 #include "gl/readback.h"
 #include "gl/timer.h"
+#include "gpu/meter.h"
 #include "gpu/programs.h"
 #include "gpu/state_hasher.h"
 #include "gpu/state_history.h"
@@ -36,6 +37,10 @@ public:
     void restore(const SavedState& state, const Schedule& schedule) override;
     void request_hash(std::uint64_t tag) override;
     std::vector<TaggedHash> take_hashes() override { return hasher_.take(); }
+    void request_reading(std::uint64_t tag, const Schedule& schedule, const SubstepParams<double>& params,
+                         const Synchronisation& synchronisation) override;
+    std::vector<TaggedReading> take_readings() override { return meter_.take(); }
+    std::vector<double> take_reading_times() override { return meter_.take_times(); }
     Bytes read(Slot slot) override;
     void write(Slot slot, std::span<const std::byte> bytes) override;
     void request(Slot slot) override;
@@ -72,6 +77,7 @@ private:
     std::array<gl::Readback, slot_count> readbacks_;
     StateHasher hasher_;
     StateHistory history_;
+    Meter meter_;
     bool timing_ = false;
     gl::SpanTimer timer_;
 };

@@ -1,0 +1,251 @@
+#include "cpu/meter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cpu/assign_cells.h"
+
+namespace ballpit::cpu {
+
+namespace {
+
+using Values = std::array<double, METER_VALUES>;
+
+// Largest eigenvalue of a symmetric, positive matrix, by Jacobi's rotations (1846): not the closed form of the shader.
+double largest_eigenvalue(glm::dmat3 s) {
+    for (int sweep = 0; sweep < 12; ++sweep) {
+        for (int p = 0; p < 2; ++p) {
+            for (int q = p + 1; q < 3; ++q) {
+                if (s[p][q] == 0.0) {
+                    continue;
+                }
+                const double angle = 0.5 * std::atan2(2.0 * s[p][q], s[q][q] - s[p][p]);
+                glm::dmat3 turn(1.0);
+                turn[p][p] = turn[q][q] = std::cos(angle);
+                turn[q][p] = std::sin(angle);
+                turn[p][q] = -std::sin(angle);
+                s = turn * s * glm::transpose(turn);
+            }
+        }
+    }
+    return std::max({s[0][0], s[1][1], s[2][2]});
+}
+
+struct Ball {
+    std::uint32_t id;
+    dvec3 position;
+    double radius;
+    dvec3 velocity;
+    double mass;
+    double zeta;
+    dvec3 synchronised;  // velocity at the time of the position
+};
+
+template <class Real>
+struct Meter {
+    const SubstepParams<Real>& params;
+    const Features features;
+    const Synchronisation& synchronisation;
+    const MeterInput<Real>& in;
+    Values total{};
+
+    static double wide(Real value) { return static_cast<double>(value); }
+
+    Ball ball(std::uint32_t id) const {
+        const Vec4<Real>& p = in.positions[id];
+        const Vec4<Real>& v = in.velocities[id];
+        const Real zeta = features.has(Feature::ball_restitution) ? in.damping_ratios[id] : params.damping_ratio;
+        Ball ball{id, dvec3(p), wide(p.w), dvec3(v), wide(v.w), wide(zeta), dvec3(0.0)};
+        if (features.has(Feature::contact)) {
+            ball.synchronised = synchronisation.old_velocity * ball.velocity +
+                                synchronisation.new_velocity * dvec3(in.next_velocities[id]);
+        }
+        return ball;
+    }
+
+    double force(double overlap, double speed, double reduced_mass, double zeta) const {
+        const double spring = wide(params.stiffness) * overlap;
+        if (!features.has(Feature::dashpot)) {
+            return spring;
+        }
+        const double force = spring - 2.0 * zeta * std::sqrt(wide(params.stiffness) * reduced_mass) * speed;
+        return features.has(Feature::limit_force) ? std::max(force, 0.0) : force;
+    }
+
+    // A pair is met from both ends: `share` is 1/2, at walls 1.
+    void add_contact(double overlap, double diameter, double share, const dvec3& normal, double zeta,
+                     double reduced_mass, glm::dmat3& stiffness) {
+        const double k = wide(params.stiffness);
+        total[METER_ELASTIC] += share * 0.5 * k * overlap * overlap;
+        total[METER_OVERLAP_SHARES] += share * overlap / diameter;
+        largest(METER_OVERLAP, overlap);
+        largest(METER_OVERLAP_SHARE, overlap / diameter);
+        if (features.has(Feature::dashpot)) {
+            largest(METER_DASHPOT, 2.0 * zeta * std::sqrt(k * reduced_mass));
+        }
+        stiffness += glm::outerProduct(normal, k / share * normal);
+    }
+
+    void largest(std::size_t value, double candidate) { total[value] = std::max(total[value], candidate); }
+
+    void add_pair(const Ball& a, std::uint32_t other, glm::dmat3& stiffness) {
+        const Vec4<Real> offset = in.positions[a.id] - in.positions[other];
+        const Real reach = in.positions[a.id].w + in.positions[other].w;
+        const Real squared = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+        if (!(squared < reach * reach)) {
+            return;
+        }
+        const Real distance = std::sqrt(squared);
+        dvec3 normal = dvec3(offset) / wide(distance);
+        if (squared == 0) {  // as collide's coincident_direction()
+            normal = dvec3(0.0);
+            normal[static_cast<int>((a.id + other) % 3u)] = a.id < other ? 1.0 : -1.0;
+        }
+        const double overlap = wide(reach - distance);
+        const Ball b = ball(other);
+        const double reduced_mass = a.mass * b.mass / (a.mass + b.mass);
+        const double zeta = std::max(a.zeta, b.zeta);
+        add_contact(overlap, wide(reach), 0.5, normal, zeta, reduced_mass, stiffness);
+        const double missing = wide(params.stiffness) * overlap -
+                               force(overlap, glm::dot(a.velocity - b.velocity, normal), reduced_mass, zeta);
+        total[METER_CONTACT_HEAT] += 0.5 * missing * glm::dot(a.synchronised - b.synchronised, normal);
+        total[METER_CONTACT_ENDS] += 1.0;
+    }
+
+    void add_neighbours(const Ball& a, glm::dmat3& stiffness) {
+        if (features.has(Feature::brute_force)) {
+            for (std::uint32_t id = 0; id < params.ball_count; ++id) {
+                if (id != a.id) {
+                    add_pair(a, id, stiffness);
+                }
+            }
+            return;
+        }
+        const uvec3 middle = cell_coordinates(params, Vec3<Real>(in.positions[a.id]));
+        const uvec3 low = middle - glm::min(middle, uvec3(1));
+        const uvec3 high = glm::min(middle + 1u, params.grid_cells - 1u);
+        for (std::uint32_t z = low.z; z <= high.z; ++z) {
+            for (std::uint32_t y = low.y; y <= high.y; ++y) {
+                for (std::uint32_t x = low.x; x <= high.x; ++x) {
+                    const CellRange range = in.cell_ranges[(z * params.grid_cells.y + y) * params.grid_cells.x + x];
+                    for (std::uint32_t slot = range.first; slot < range.end; ++slot) {
+                        if (in.keys[slot].ball_id != a.id) {
+                            add_pair(a, in.keys[slot].ball_id, stiffness);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    // One of the six walls: normal into the box along `axis` with `side` 1 (lower) or -1.
+    struct Wall {
+        int axis;
+        double side;
+        double overlap;
+        double force;
+        double wall_speed;  // along the normal
+    };
+
+    std::array<Wall, 6> walls(const Ball& ball) const {
+        std::array<Wall, 6> walls{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const Real position = in.positions[ball.id][axis];
+            const Real radius = in.positions[ball.id].w;
+            const Real low = radius - (position - params.box_lower[axis]);
+            const Real high = radius - (params.box_upper[axis] - position);
+            walls[static_cast<std::size_t>(2 * axis)] = {axis, 1.0, wide(low), 0.0, wide(params.lower_velocity[axis])};
+            walls[static_cast<std::size_t>(2 * axis + 1)] = {axis, -1.0, wide(high), 0.0,
+                                                             -wide(params.upper_velocity[axis])};
+        }
+        for (Wall& wall : walls) {
+            if (wall.overlap > 0.0) {
+                wall.force =
+                    force(wall.overlap, wall.side * ball.velocity[wall.axis] - wall.wall_speed, ball.mass, ball.zeta);
+            }
+        }
+        return walls;
+    }
+
+    void add_wall(const Ball& ball, const Wall& wall, glm::dmat3& stiffness) {
+        if (!(wall.overlap > 0.0)) {
+            return;
+        }
+        dvec3 normal(0.0);
+        normal[wall.axis] = wall.side;
+        add_contact(wall.overlap, 2.0 * ball.radius, 1.0, normal, ball.zeta, ball.mass, stiffness);
+        const double speed = glm::dot(ball.synchronised, normal) - wall.wall_speed;
+        total[METER_WALL_CONTACTS] += 1.0;
+        total[METER_WALL_HEAT] += (wide(params.stiffness) * wall.overlap - wall.force) * speed;
+        total[METER_WALL_WORK] += wall.force * wall.wall_speed;
+        if (wall.axis == 2 && wall.side > 0.0) {
+            total[METER_FLOOR_FORCE] += wall.force;
+        }
+    }
+
+    void add_ball(std::uint32_t id) {
+        Ball a = ball(id);
+        glm::dmat3 stiffness(0.0);
+        const bool has_walls = features.has(Feature::walls);
+        const std::array<Wall, 6> walls = has_walls ? this->walls(a) : std::array<Wall, 6>{};
+        dvec3 pull(0.0);
+        if (features.has(Feature::pull) && id == params.pull_ball) {
+            const double rate = wide(params.pull_rate);
+            pull = a.mass * (rate * rate * (dvec3(params.pull_target) - a.position) - 2.0 * rate * a.velocity);
+        }
+        if (features.has(Feature::contact)) {
+            add_neighbours(a, stiffness);
+        } else {
+            dvec3 force = pull;
+            for (const Wall& wall : walls) {
+                force[wall.axis] += wall.side * wall.force;
+            }
+            const dvec3 gravity = features.has(Feature::gravity) ? dvec3(params.gravity) : dvec3(0.0);
+            a.synchronised =
+                synchronisation.old_velocity * a.velocity + synchronisation.acceleration * (force / a.mass + gravity);
+        }
+        for (const Wall& wall : walls) {
+            add_wall(a, wall, stiffness);
+        }
+        add_motion(a, pull, stiffness);
+    }
+
+    void add_motion(const Ball& a, const dvec3& pull, const glm::dmat3& stiffness) {
+        const dvec3 momentum = a.mass * a.synchronised;
+        const dvec3 centre = 0.5 * (dvec3(params.box_lower) + dvec3(params.box_upper));
+        const dvec3 angular = glm::cross(a.position - centre, momentum);
+        const double speed = glm::length(a.synchronised);
+        total[METER_KINETIC] += 0.5 * glm::dot(momentum, a.synchronised);
+        if (features.has(Feature::gravity)) {
+            total[METER_POTENTIAL] -= a.mass * glm::dot(dvec3(params.gravity), a.position);
+        }
+        total[METER_HAND_WORK] += glm::dot(pull, a.synchronised);
+        for (int axis = 0; axis < 3; ++axis) {
+            total[static_cast<std::size_t>(METER_MOMENTUM + axis)] += momentum[axis];
+            total[static_cast<std::size_t>(METER_ANGULAR_MOMENTUM + axis)] += angular[axis];
+        }
+        total[METER_MASS] += a.mass;
+        largest(METER_SPEED, speed);
+        largest(METER_STIFFNESS, largest_eigenvalue(stiffness) / a.mass);
+        largest(METER_SPEED_SHARE, speed / (2.0 * a.radius));
+        largest(METER_LIGHTNESS, 1.0 / a.mass);
+    }
+};
+
+}  // namespace
+
+template <class Real>
+MeterReading meter(const SubstepParams<Real>& params, Features features, const Synchronisation& synchronisation,
+                   const MeterInput<Real>& in) {
+    Meter<Real> meter{params, features, synchronisation, in};
+    for (std::uint32_t id = 0; id < params.ball_count; ++id) {
+        meter.add_ball(id);
+    }
+    return reading_of(meter.total);
+}
+
+template MeterReading meter(const SubstepParams<float>&, Features, const Synchronisation&, const MeterInput<float>&);
+template MeterReading meter(const SubstepParams<double>&, Features, const Synchronisation&, const MeterInput<double>&);
+
+}  // namespace ballpit::cpu

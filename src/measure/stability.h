@@ -1,0 +1,56 @@
+// How far a running scene is from the edge: gauges as data, each with its limits and the setting that turns it green.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/grid.h"
+#include "core/meter.h"
+#include "core/settings.h"
+
+namespace ballpit::measure {
+
+enum class Light { green, amber, red };
+
+/// A setting as `--set` would take it.
+struct Remedy {
+    std::string key;
+    std::string value;
+};
+
+struct Gauge {
+    std::string_view name;  // short, unique
+    std::string_view unit;  // "" where it is a ratio
+    double value = 0.0;
+    double amber = 0.0;  // from here on it is no longer green
+    double red = 0.0;
+    bool low_is_bad = false;       // where fewer is worse: amber and red are upper limits of theirs
+    std::string text;              // one sentence on what it says
+    std::optional<Remedy> remedy;  // where one setting helps, and only while it is not green
+
+    Light light() const;
+};
+
+inline constexpr std::string_view light_names[] = {"green", "amber", "red"};
+
+/// The largest stable substep (s) of leapfrog, symplectic Euler and velocity Verlet, where the stiffest mode has the
+/// frequency `omega` (1/s) and every dashpot is at most c (N s/m) beside a spring k (N/m):
+/// (2 / omega) (sqrt(1 + Z^2) - Z), Z = c omega / (2 k). Infinite where nothing oscillates.
+double critical_dt(double omega, double dashpot, double stiffness);
+
+/// An upper bound of the fastest mode of balls that touch (1/s): omega^2 <= largest over the balls of
+/// MeterReading::max_stiffness, by (n (x_i - x_j))^2 <= 2 (n x_i)^2 + 2 (n x_j)^2 (Gershgorin's argument by blocks).
+/// Before there are contacts: sqrt(8 k / m) of the lightest ball, which twelve neighbours of a densest packing hold.
+double stiffest_mode(const MeterReading& reading, const Settings& settings);
+
+/// All that apply to these laws. Empty for a reading without balls.
+std::vector<Gauge> gauges(const MeterRecord& record, const Settings& settings, const Grid& grid, double largest_radius,
+                          double largest_coordinate);
+
+/// The gauge of dt / dt_c, what `dt_over_dt_c` of a trace has; 0 where nothing oscillates.
+double dt_over_critical(const MeterRecord& record, const Settings& settings);
+
+}  // namespace ballpit::measure
