@@ -60,6 +60,9 @@ struct Meter {
     float values[METER_VALUES];
     vec3 velocity;               // m/s, of the ball, synchronised
     mat3 stiffness;              // N/m, see add_contact
+#ifdef LAW_DASHPOT
+    mat3 damping;                // N s/m
+#endif
 };
 
 #define NEIGHBOUR_SUM Meter
@@ -84,9 +87,12 @@ void add_contact(inout Meter meter, float overlap, float diameter, float share, 
     meter.stiffness += outerProduct(normal, (params.stiffness / share) * normal);
 }
 
-void add_dashpot(inout Meter meter, float damping_ratio, float reduced_mass) {
-    keep_largest(meter, METER_DASHPOT, 2.0 * damping_ratio * sqrt(params.stiffness * reduced_mass));
+#ifdef LAW_DASHPOT
+void add_dashpot(inout Meter meter, float damping_ratio, float reduced_mass, float share, vec3 normal) {
+    float c = 2.0 * damping_ratio * sqrt(params.stiffness * reduced_mass);
+    meter.damping += outerProduct(normal, (c / share) * normal);
 }
+#endif
 #endif
 
 #ifdef LAW_CONTACT
@@ -110,7 +116,7 @@ void add_pair(Ball a, uint other, inout Meter meter) {
     float missing = spring_force(overlap) - pair_force(a, other, normal, overlap);
     meter.values[METER_CONTACT_HEAT] += 0.5 * missing * dot(meter.velocity - synchronised(other), normal);
     float mass = mass_of(velocities[other]);
-    add_dashpot(meter, max(a.damping_ratio, damping_ratio_of(other)), a.mass * mass / (a.mass + mass));
+    add_dashpot(meter, max(a.damping_ratio, damping_ratio_of(other)), a.mass * mass / (a.mass + mass), 0.5, normal);
 #endif
 }
 
@@ -135,7 +141,7 @@ void add_wall(inout Meter meter, Ball ball, float overlap, float force, float sp
     meter.values[METER_WALL_HEAT] += (spring_force(overlap) - force) * (speed - wall_speed);
     meter.values[METER_WALL_WORK] += force * wall_speed;
 #ifdef LAW_DASHPOT
-    add_dashpot(meter, ball.damping_ratio, ball.mass);
+    add_dashpot(meter, ball.damping_ratio, ball.mass, 1.0, normal);
 #endif
 }
 #endif
@@ -161,6 +167,9 @@ Meter metered(uint id) {
         meter.values[i] = 0.0;
     }
     meter.stiffness = mat3(0.0);
+#ifdef LAW_DASHPOT
+    meter.damping = mat3(0.0);
+#endif
     float mass = velocity.w;
     vec3 pull = vec3(0.0);
 #ifdef LAW_PULL
@@ -215,6 +224,9 @@ Meter metered(uint id) {
     meter.values[METER_MASS] = mass;
     meter.values[METER_SPEED] = length(meter.velocity);
     meter.values[METER_STIFFNESS] = largest_eigenvalue(meter.stiffness) / mass;
+#ifdef LAW_DASHPOT
+    meter.values[METER_DAMPING] = largest_eigenvalue(meter.damping) / mass;
+#endif
     meter.values[METER_SPEED_SHARE] = meter.values[METER_SPEED] / (2.0 * position.w);
     meter.values[METER_LIGHTNESS] = 1.0 / mass;
     return meter;

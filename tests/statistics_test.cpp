@@ -10,6 +10,7 @@
 #include "support/catch.h"
 #include "support/gas.h"
 #include "support/oracle.h"
+#include "support/piles.h"
 
 using namespace ballpit;
 using std::numbers::pi;
@@ -216,4 +217,26 @@ TEST_CASE("A24 a pile weighs on the floor what it weighs", "[statistics]") {
         force += test::gas_sums(simulation, true).floor_force / samples;
     }
     hold("A24 force on the floor / weight", force / (count * 9.8), 1.0, 1e-3);
+}
+
+TEST_CASE("piles keep still below the red line of dt / dt_c, and blow up above", "[statistics]") {
+    for (const bool unequal : {false, true}) {
+        for (const double restitution : {1.0, 0.5}) {
+            const test::SettledPile pile = test::settled_pile({unequal, restitution}, 300);
+            const double critical = test::true_critical_dt(pile);  // of the springs alone
+            const double bound = critical / test::gauge_of(pile, critical);
+            std::printf("%s, e = %g: dt_c of the springs %.3g ms, of the gauge %.3g ms\n",
+                        unequal ? "radii 1:2" : "equal radii", restitution, 1e3 * critical, 1e3 * bound);
+            double below = 0.0;
+            for (const double share : {0.3, 0.6, 0.9}) {
+                below = test::agitation(pile, share * bound, 3000);
+                std::printf("  at %.1f of the gauge's: %.3g m g r\n", share, below);
+                CHECK(below < 0.1);
+            }
+            const double above = test::agitation(pile, (restitution < 1.0 ? 1.3 : 1.1) * critical, 3000);
+            std::printf("  above the springs': %.3g m g r\n", above);
+            std::fflush(stdout);
+            CHECK(above > 10.0 * below);
+        }
+    }
 }

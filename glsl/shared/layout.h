@@ -56,7 +56,7 @@
 #define METER_STIFFNESS 21
 #define METER_SPEED_SHARE 22
 #define METER_LIGHTNESS 23
-#define METER_DASHPOT 24
+#define METER_DAMPING 24
 #define METER_VALUES 25
 
 // Uniform block of a shader: the constants of a substep that it needs, under the names of core/substep_params.h. Which

@@ -31,7 +31,7 @@ MeterReading reading_of(std::span<const double> values) {
     reading.max_stiffness = at(METER_STIFFNESS);
     reading.max_speed_share = at(METER_SPEED_SHARE);
     reading.max_lightness = at(METER_LIGHTNESS);
-    reading.max_dashpot = at(METER_DASHPOT);
+    reading.max_damping = at(METER_DAMPING);
     return reading;
 }
 

@@ -38,7 +38,8 @@ struct MeterReading {
     double max_stiffness = 0.0;
     double max_speed_share = 0.0;  // 1/s, speed over diameter
     double max_lightness = 0.0;    // 1/kg, of the lightest ball
-    double max_dashpot = 0.0;      // N s/m, of any contact
+    /// 1/s: the same with the dashpots c in place of k.
+    double max_damping = 0.0;
 
     double contacts() const { return 0.5 * contact_ends + wall_contacts; }
     /// 0 without contacts.

@@ -20,7 +20,7 @@ double largest_eigenvalue(glm::dmat3 s) {
                 if (s[p][q] == 0.0) {
                     continue;
                 }
-                const double angle = 0.5 * std::atan2(2.0 * s[p][q], s[q][q] - s[p][p]);
+                const double angle = 0.5 * std::atan2(2.0 * s[p][q], s[p][p] - s[q][q]);
                 glm::dmat3 turn(1.0);
                 turn[p][p] = turn[q][q] = std::cos(angle);
                 turn[q][p] = std::sin(angle);
@@ -40,6 +40,12 @@ struct Ball {
     double mass;
     double zeta;
     dvec3 synchronised;  // velocity at the time of the position
+};
+
+// By springs (N/m) and dashpots (N s/m), along any direction.
+struct Held {
+    glm::dmat3 stiffness{0.0};
+    glm::dmat3 damping{0.0};
 };
 
 template <class Real>
@@ -75,21 +81,22 @@ struct Meter {
 
     // A pair is met from both ends: `share` is 1/2, at walls 1.
     void add_contact(double overlap, double diameter, double share, const dvec3& normal, double zeta,
-                     double reduced_mass, glm::dmat3& stiffness) {
+                     double reduced_mass, Held& held) {
         const double k = wide(params.stiffness);
         total[METER_ELASTIC] += share * 0.5 * k * overlap * overlap;
         total[METER_OVERLAP_SHARES] += share * overlap / diameter;
         largest(METER_OVERLAP, overlap);
         largest(METER_OVERLAP_SHARE, overlap / diameter);
         if (features.has(Feature::dashpot)) {
-            largest(METER_DASHPOT, 2.0 * zeta * std::sqrt(k * reduced_mass));
+            const double c = 2.0 * zeta * std::sqrt(k * reduced_mass);
+            held.damping += glm::outerProduct(normal, c / share * normal);
         }
-        stiffness += glm::outerProduct(normal, k / share * normal);
+        held.stiffness += glm::outerProduct(normal, k / share * normal);
     }
 
     void largest(std::size_t value, double candidate) { total[value] = std::max(total[value], candidate); }
 
-    void add_pair(const Ball& a, std::uint32_t other, glm::dmat3& stiffness) {
+    void add_pair(const Ball& a, std::uint32_t other, Held& held) {
         const Vec4<Real> offset = in.positions[a.id] - in.positions[other];
         const Real reach = in.positions[a.id].w + in.positions[other].w;
         const Real squared = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
@@ -106,18 +113,18 @@ struct Meter {
         const Ball b = ball(other);
         const double reduced_mass = a.mass * b.mass / (a.mass + b.mass);
         const double zeta = std::max(a.zeta, b.zeta);
-        add_contact(overlap, wide(reach), 0.5, normal, zeta, reduced_mass, stiffness);
+        add_contact(overlap, wide(reach), 0.5, normal, zeta, reduced_mass, held);
         const double missing = wide(params.stiffness) * overlap -
                                force(overlap, glm::dot(a.velocity - b.velocity, normal), reduced_mass, zeta);
         total[METER_CONTACT_HEAT] += 0.5 * missing * glm::dot(a.synchronised - b.synchronised, normal);
         total[METER_CONTACT_ENDS] += 1.0;
     }
 
-    void add_neighbours(const Ball& a, glm::dmat3& stiffness) {
+    void add_neighbours(const Ball& a, Held& held) {
         if (features.has(Feature::brute_force)) {
             for (std::uint32_t id = 0; id < params.ball_count; ++id) {
                 if (id != a.id) {
-                    add_pair(a, id, stiffness);
+                    add_pair(a, id, held);
                 }
             }
             return;
@@ -131,7 +138,7 @@ struct Meter {
                     const CellRange range = in.cell_ranges[(z * params.grid_cells.y + y) * params.grid_cells.x + x];
                     for (std::uint32_t slot = range.first; slot < range.end; ++slot) {
                         if (in.keys[slot].ball_id != a.id) {
-                            add_pair(a, in.keys[slot].ball_id, stiffness);
+                            add_pair(a, in.keys[slot].ball_id, held);
                         }
                     }
                 }
@@ -168,13 +175,13 @@ struct Meter {
         return walls;
     }
 
-    void add_wall(const Ball& ball, const Wall& wall, glm::dmat3& stiffness) {
+    void add_wall(const Ball& ball, const Wall& wall, Held& held) {
         if (!(wall.overlap > 0.0)) {
             return;
         }
         dvec3 normal(0.0);
         normal[wall.axis] = wall.side;
-        add_contact(wall.overlap, 2.0 * ball.radius, 1.0, normal, ball.zeta, ball.mass, stiffness);
+        add_contact(wall.overlap, 2.0 * ball.radius, 1.0, normal, ball.zeta, ball.mass, held);
         const double speed = glm::dot(ball.synchronised, normal) - wall.wall_speed;
         total[METER_WALL_CONTACTS] += 1.0;
         total[METER_WALL_HEAT] += (wide(params.stiffness) * wall.overlap - wall.force) * speed;
@@ -186,7 +193,7 @@ struct Meter {
 
     void add_ball(std::uint32_t id) {
         Ball a = ball(id);
-        glm::dmat3 stiffness(0.0);
+        Held held;
         const bool has_walls = features.has(Feature::walls);
         const std::array<Wall, 6> walls = has_walls ? this->walls(a) : std::array<Wall, 6>{};
         dvec3 pull(0.0);
@@ -195,7 +202,7 @@ struct Meter {
             pull = a.mass * (rate * rate * (dvec3(params.pull_target) - a.position) - 2.0 * rate * a.velocity);
         }
         if (features.has(Feature::contact)) {
-            add_neighbours(a, stiffness);
+            add_neighbours(a, held);
         } else {
             dvec3 force = pull;
             for (const Wall& wall : walls) {
@@ -206,12 +213,12 @@ struct Meter {
                 synchronisation.old_velocity * a.velocity + synchronisation.acceleration * (force / a.mass + gravity);
         }
         for (const Wall& wall : walls) {
-            add_wall(a, wall, stiffness);
+            add_wall(a, wall, held);
         }
-        add_motion(a, pull, stiffness);
+        add_motion(a, pull, held);
     }
 
-    void add_motion(const Ball& a, const dvec3& pull, const glm::dmat3& stiffness) {
+    void add_motion(const Ball& a, const dvec3& pull, const Held& held) {
         const dvec3 momentum = a.mass * a.synchronised;
         const dvec3 centre = 0.5 * (dvec3(params.box_lower) + dvec3(params.box_upper));
         const dvec3 angular = glm::cross(a.position - centre, momentum);
@@ -227,7 +234,8 @@ struct Meter {
         }
         total[METER_MASS] += a.mass;
         largest(METER_SPEED, speed);
-        largest(METER_STIFFNESS, largest_eigenvalue(stiffness) / a.mass);
+        largest(METER_STIFFNESS, largest_eigenvalue(held.stiffness) / a.mass);
+        largest(METER_DAMPING, largest_eigenvalue(held.damping) / a.mass);
         largest(METER_SPEED_SHARE, speed / (2.0 * a.radius));
         largest(METER_LIGHTNESS, 1.0 / a.mass);
     }

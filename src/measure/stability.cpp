@@ -136,11 +136,11 @@ Light Gauge::light() const {
     return green ? Light::green : short_of_red ? Light::amber : Light::red;
 }
 
-double critical_dt(double omega, double dashpot, double stiffness) {
+double critical_dt(double omega, double damping) {
     if (!(omega > 0.0)) {
         return std::numeric_limits<double>::infinity();
     }
-    const double z = stiffness > 0.0 ? dashpot * omega / (2.0 * stiffness) : 0.0;
+    const double z = damping / (2.0 * omega);
     return 2.0 / omega * (std::sqrt(1.0 + z * z) - z);
 }
 
@@ -157,9 +157,12 @@ double dt_over_critical(const MeterRecord& record, const Settings& settings) {
         return 0.0;
     }
     const MeterReading& reading = record.reading;
-    const bool touching = reading.max_stiffness > 0.0;
-    const double dashpot = touching ? reading.max_dashpot : lightest_dashpot(reading, settings);
-    return substep(settings) / critical_dt(stiffest_mode(reading, settings), dashpot, settings.stiffness);
+    const double omega = stiffest_mode(reading, settings);
+    // Before anything touches: as if the dashpots of those neighbours were all of two such balls.
+    const double damping = reading.max_stiffness > 0.0
+                               ? reading.max_damping
+                               : lightest_dashpot(reading, settings) * omega * omega / settings.stiffness;
+    return substep(settings) / critical_dt(omega, damping);
 }
 
 std::vector<Gauge> gauges(const MeterRecord& record, const Settings& settings, const Grid& grid, double largest_radius,

@@ -36,13 +36,15 @@ struct Gauge {
 
 inline constexpr std::string_view light_names[] = {"green", "amber", "red"};
 
-/// The largest stable substep (s) of leapfrog, symplectic Euler and velocity Verlet, where the stiffest mode has the
-/// frequency `omega` (1/s) and every dashpot is at most c (N s/m) beside a spring k (N/m):
-/// (2 / omega) (sqrt(1 + Z^2) - Z), Z = c omega / (2 k). Infinite where nothing oscillates.
-double critical_dt(double omega, double dashpot, double stiffness);
+/// The largest stable substep (s) of leapfrog, symplectic Euler and velocity Verlet with springs K, dashpots C, and
+/// masses M, where no direction has more than omega^2 (1/s^2) of M^-1 K and `damping` (1/s) of M^-1 C:
+/// (2 / omega) (sqrt(1 + Z^2) - Z), Z = damping / (2 omega), which is c omega / (2 k) where every contact has the same
+/// c and k. (With the dashpots' velocity half a substep late, the substep is that of M - dt C / 2 - dt^2 K / 4, which
+/// must be positive.) Infinite where nothing oscillates.
+double critical_dt(double omega, double damping);
 
 /// An upper bound of the fastest mode of balls that touch (1/s): omega^2 <= largest over the balls of
-/// MeterReading::max_stiffness, by (n (x_i - x_j))^2 <= 2 (n x_i)^2 + 2 (n x_j)^2 (Gershgorin's argument by blocks).
+/// MeterReading::max_stiffness, by (n (x_i - x_j))^2 <= 2 (n x_i)^2 + 2 (n x_j)^2.
 /// Before there are contacts: sqrt(8 k / m) of the lightest ball, which twelve neighbours of a densest packing hold.
 double stiffest_mode(const MeterReading& reading, const Settings& settings);
 
