@@ -337,6 +337,18 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual((int.from_bytes(picture[16:20], "big"), int.from_bytes(picture[20:24], "big")), (320, 200))
 
+    def test_a_budget_chooses_the_substeps(self):
+        result = self.headless("--scene", "two_balls", "--budget", "balanced", "--steps", "1", "--json", "-")
+        self.assertEqual(result.returncode, 0)
+        report = json.loads(result.stdout)
+        self.assertTrue(report["budget"]["met"])
+        self.assertEqual(report["settings"]["substeps"], str(report["budget"]["substeps"]))
+        self.assertIn("budget balanced: 6 substeps with leapfrog", result.stderr)
+        self.refused(self.headless("--scene", "two_balls", "--budget", "cheap"), 2, "--budget", "fast")
+        self.refused(self.headless("--scene", "two_balls", "--budget", "fast", "--set", "substeps=3"), 2,
+                     "--budget fast", "substeps=3")
+        self.refused(run("bench", "--budget", "fast", "--substeps", "4"), 2, "--budget", "--substeps")
+
     def test_bench(self):
         result = run("bench", "--backend", "cpu", "--scene", "two_balls", "--json", "-")
         self.assertEqual(result.returncode, 0, result.stderr)

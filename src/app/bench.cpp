@@ -4,6 +4,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "app/budget.h"
 #include "app/commands.h"
 #include "app/report.h"
 #include "app/setup.h"
@@ -155,8 +156,10 @@ int run_bench(const Options& options) {
     if (steps == 0) {
         throw InputError("--steps 0: expected at least 1 step to time");
     }
+    check_budget(options);
+    const auto preset = parse_budget(options.budget);
     const Setup setup = make_setup(options);
-    const std::vector<Settings> wanted = combinations(options, setup.settings);
+    std::vector<Settings> wanted = combinations(options, setup.settings);
     Report json(options.json);
     Report csv(options.csv);
     Device device = open_device(options.backend, setup.paths.shaders, false);
@@ -179,8 +182,11 @@ int run_bench(const Options& options) {
         json.write(report.dump(2) + "\n");
         csv.write(csv_text(rows, report));
     };
-    for (const Settings& settings : wanted) {
+    for (Settings& settings : wanted) {
         try {
+            if (preset) {
+                tell(*preset, apply_budget(*preset, setup.scene, setup.seed, settings, simulation.backend()));
+            }
             simulation.load(setup.scene, settings, setup.seed);
             rows.push_back(measure_row(simulation, steps));
         } catch (const DeviceError&) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/atomic_file.h"
+#include "app/budget.h"
 #include "app/commands.h"
 #include "app/csv.h"
 #include "app/report.h"
@@ -149,6 +150,7 @@ void print_code(const Json& report) {
 }  // namespace
 
 int run_headless(const Options& options) {
+    check_budget(options);
     Setup setup = make_setup(options);
     const std::optional<SharedCode> code = apply_code(options, setup);
     Report json(options.json);
@@ -164,6 +166,14 @@ int run_headless(const Options& options) {
     Device device = open_device(options.backend, setup.paths.shaders, picture);
     if (!device.note.empty()) {
         std::cerr << "ballpit: " << device.note << "\n";
+    }
+    const auto preset = parse_budget(options.budget);
+    Json budget_report;
+    if (preset) {
+        const measure::BudgetChoice choice =
+            apply_budget(*preset, setup.scene, setup.seed, setup.settings, *device.backend);
+        tell(*preset, choice);
+        budget_report = budget_json(*preset, choice);
     }
     Simulation simulation = make_simulation(setup, device);
     const std::uint64_t steps = code ? 0 : steps_to_run(options, setup.settings.dt);
@@ -199,6 +209,9 @@ int run_headless(const Options& options) {
         screenshot->save(simulation, code);
     }
     Json report = make_report(simulation, state, wall_ms);
+    if (preset) {
+        report["budget"] = budget_report;
+    }
     if (options.json != "-") {
         print_summary(report);
     }

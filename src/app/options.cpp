@@ -27,10 +27,16 @@ void add_scene_options(CLI::App& app, Options& options) {
     app.add_option("--seed", options.seed, "Seed of the random fill, instead of the scene's")->check(whole_number);
 }
 
+void add_budget_option(CLI::App& app, Options& options) {
+    app.add_option("--budget", options.budget,
+                   "Substeps by allowed error: fast, balanced, accurate or historical; measured, and told")
+        ->check(CLI::IsMember({"fast", "balanced", "accurate", "historical"}));
+}
+
 // The whole of a run in a line: whoever gives it cannot mean another scene as well.
 CLI::Option* add_code_option(CLI::App& app, Options& options) {
     CLI::Option* code = app.add_option("--code", options.code, "A share code: the frame that somebody else looked at");
-    for (const char* other : {"--scene", "--set", "--seed"}) {
+    for (const char* other : {"--scene", "--set", "--seed", "--budget"}) {
         code->excludes(app.get_option(other));
     }
     return code;
@@ -56,6 +62,7 @@ std::string parse_size(const std::string& text, Options& options) {
 CLI::App* add_headless(CLI::App& app, Options& options) {
     CLI::App* headless = app.add_subcommand("headless", "Simulate without a window, and report");
     add_scene_options(*headless, options);
+    add_budget_option(*headless, options);
     add_model_option(*headless, options);
     auto* steps = headless->add_option("--steps", options.steps, "Steps to run (default 600)")->check(whole_number);
     headless->add_option("--seconds", options.seconds, "Simulated seconds to run, instead of --steps")
@@ -97,7 +104,9 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
     bench->add_option("--balls", options.balls, "Ball counts, such as 1000,5000,20000")
         ->delimiter(',')
         ->check(whole_number);
+    add_budget_option(*bench, options);
     bench->add_option("--substeps", options.substeps, "Substeps a step, such as 1,8")
+        ->excludes(bench->get_option("--budget"))
         ->delimiter(',')
         ->check(whole_number);
     bench->add_option("--sort", options.sort, "Sorts to compare, such as bitonic,bitonic_fused")->delimiter(',');
@@ -125,6 +134,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.set_version_flag("--version", BALLPIT_VERSION);
     app.require_subcommand(0, 1);
     add_scene_options(app, options);
+    add_budget_option(app, options);
     add_model_option(app, options);
     add_code_option(app, options);
     app.add_flag("--fresh", options.fresh, "The window starts as if for the first time");

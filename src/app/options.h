@@ -17,6 +17,7 @@ struct Options {
     std::string scene = "rain";
     std::string backend = "auto";  // auto, gpu, cpu
     std::vector<std::string> set;  // KEY=VALUE
+    std::string budget;            // preset of the error budget that chooses substeps; empty: none
     std::optional<std::uint64_t> seed;
     bool scene_given = false;  // the two above were on the command line
     bool backend_given = false;

@@ -51,11 +51,11 @@ double largest(const std::vector<ProbeGroup>& groups, const Value& value) {
 }  // namespace
 
 double ProbeResult::restitution_error() const {
-    return largest(groups, [](const ProbeGroup& g) { return g.restitution.error; });
+    return largest(groups, [](const ProbeGroup& g) { return g.passes_through() ? 0.0 : g.restitution.error; });
 }
 
 double ProbeResult::overlap_error() const {
-    return largest(groups, [](const ProbeGroup& g) { return g.overlap.error; });
+    return largest(groups, [](const ProbeGroup& g) { return g.passes_through() ? 0.0 : g.overlap.error; });
 }
 
 double ProbeResult::softness() const {

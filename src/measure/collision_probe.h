@@ -31,6 +31,9 @@ struct ProbeGroup {
     Spread duration;             // s, while the force acts
     Spread gain;                 // kinetic energy after / before, less that of the exact restitution
     std::uint32_t unending = 0;  // collisions that never began or never ended
+
+    /// Too fast for the spring: nearly all of the diameter would be overlap, and the balls come out on the other side.
+    bool passes_through() const { return !wall && overlap.exact >= 0.9; }
 };
 
 struct ProbeResult {
@@ -39,9 +42,10 @@ struct ProbeResult {
     double substeps_a_contact = 0.0;  // Nc of two of the lightest balls (of ball and wall where balls do not touch)
     std::uint32_t substeps = 0;       // that were run
 
-    /// Over all groups: the largest error of 95 % of the phases; restitution as a share of the approach speed.
+    /// Over all groups that do not pass through each other: the largest error of 95 % of the phases; restitution as a
+    /// share of the approach speed.
     double restitution_error() const;
-    /// The same, in diameters.
+    /// The same of the largest overlap, in diameters.
     double overlap_error() const;
     /// The largest exact overlap, in diameters: beyond 1 balls pass through each other.
     double softness() const;

@@ -1,0 +1,24 @@
+// What a choice of substeps is told in.
+#pragma once
+
+#include <string>
+
+#include "core/laws.h"
+#include "measure/error_budget.h"
+
+namespace ballpit::measure {
+
+/// Whether positions are summed with compensation, where there is such a law.
+bool compensates(const Laws& laws);
+
+/// Nothing touches, or nothing moves.
+std::string nothing_sentence(const std::string& why, const BudgetChoice& choice);
+
+/// What was chosen, what decides, whether it fits into the step's time and, where it does not, what would; what floats
+/// set an end to.
+std::string budget_sentence(const BudgetQuestion& question, const BudgetChoice& choice);
+
+/// N/m: with this stiffness the largest overlap would be a twentieth of a diameter.
+double firm_stiffness(const BudgetQuestion& question, const BudgetChoice& choice);
+
+}  // namespace ballpit::measure
