@@ -126,7 +126,7 @@ TEST_CASE("substeps below the floor of floats are refused", "[budget]") {
 TEST_CASE("the sentence says what decides and what would fit", "[budget]") {
     BudgetQuestion question = question_of("elastic_gas", 400, BudgetPreset::balanced);
     question.substep_ms = 0.1;
-    CHECK(choose(question).sentence.find("restitution decides: with 8,") != std::string::npos);
+    CHECK(choose(question).sentence.find("Restitution decides: with 8,") != std::string::npos);
     CHECK(choose(question).sentence.find("It takes 1.2 ms of a step's 16.7 ms") != std::string::npos);
     CHECK(choose(question).sentence.find("to fit") == std::string::npos);
     question.substep_ms = 2.0 * 1000.0 / 60.0 / 12.0;  // twice as long as a step

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/budget.h"
 #include "app/window_main.h"
 #include "app/window_overlay.h"
 #include "ui/panels.h"
@@ -46,9 +47,20 @@ Window::Window(const WindowOptions& options)
     SDL_GL_SetSwapInterval(1);
     remember(options.user);
     message_ = options.message;
+    if (options.budget) {
+        choose_substeps(*options.budget);
+    }
     if (!options.code.empty()) {
         sharing_.open_code(options.code);
     }
+}
+
+void Window::choose_substeps(measure::BudgetPreset preset) {
+    Settings settings = session_.simulation().settings();
+    const auto twin = session_.twin_backend();
+    tell(preset, apply_budget(preset, session_.simulation().scene(), session_.simulation().seed(), settings, *twin));
+    budget_.choose({budget_of(preset), preset == measure::BudgetPreset::historical});
+    session_.want(settings);
 }
 
 // As it was when it was closed.
@@ -111,7 +123,7 @@ bool Window::hidden() const {
 void Window::wait_for_events() {
     const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
                        !inspector_.waiting() && !sharing_.working() && !views_.working() && !laws_.working() &&
-                       !camera_.flying() && !input_.active(gui_.typing()) && !blinks(overlay_);
+                       !budget_.working() && !camera_.flying() && !input_.active(gui_.typing()) && !blinks(overlay_);
     if (!hidden() && !still) {
         return;
     }
@@ -153,9 +165,11 @@ void Window::frame() {
     const int steps = advance(busy_s);
     look_inside(seconds_between(start_, now));
     laws_.update(session_, view_.laws, seconds_between(start_, now), 1000.0 * busy_s);
+    budget_.update(session_, view_.budget, seconds_between(start_, now), 1000.0 * busy_s, timings_.substep_ms());
     measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
-    for (std::string message : {views_.take_message(), laws_.take_message(), play_.take_message(),
-                                session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
+    for (std::string message :
+         {views_.take_message(), laws_.take_message(), budget_.take_message(), play_.take_message(),
+          session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
         if (!message.empty()) {
             message_ = std::move(message);
         }
@@ -217,6 +231,7 @@ ui::State Window::make_state() {
     state.share = &sharing_.state();
     state.play = &play_.describe(session_);
     state.laws = laws_.describe(session_, view_.laws);
+    state.budget = budget_.describe(session_, view_.budget);
     state.message = message_;
     state.close_popups = close_popups_;
     return state;

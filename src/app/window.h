@@ -9,14 +9,16 @@
 #include "app/gallery.h"
 #include "app/user_settings.h"
 #include "core/scene.h"
+#include "measure/error_budget.h"
 
 namespace ballpit::app {
 
 struct WindowOptions {
     Scene scene;
     std::string scene_file;
-    std::vector<SceneEntry> gallery;  // what [ and ] go through; the scene need not be among them
-    Settings settings;                // the scene's, with --set
+    std::vector<SceneEntry> gallery;              // what [ and ] go through; the scene need not be among them
+    Settings settings;                            // the scene's, with --set
+    std::optional<measure::BudgetPreset> budget;  // chooses the substeps to begin with
     std::uint64_t seed = 0;
     std::string backend = "auto";  // auto, gpu, cpu
     std::filesystem::path assets_folder;

@@ -70,7 +70,7 @@ void Window::draw() {
 
 void Window::measure_times(double busy_s, double wall_s, double simulated_s) {
     Backend& backend = session_.simulation().backend();
-    backend.set_timing(view_.timings || views_.split());
+    backend.set_timing(view_.timings || view_.budget || views_.split());
     const std::vector<StageTimes> times = backend.take_times();
     timings_.add_substeps(times);
     views_.add_grid_times(times);

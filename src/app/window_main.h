@@ -8,6 +8,7 @@
 #include "app/clock.h"
 #include "app/input.h"
 #include "app/window.h"
+#include "app/window_budget.h"
 #include "app/window_camera.h"
 #include "app/window_gui.h"
 #include "app/window_inspector.h"
@@ -50,6 +51,7 @@ private:
     int advance(double wall_s);
     void draw();
     ui::State make_state();
+    void choose_substeps(measure::BudgetPreset preset);
     void measure_times(double busy_s, double wall_s, double simulated_s);
     void look_inside(double now_s);
     void fly_to_selected_ball();
@@ -92,6 +94,7 @@ private:
     void act(const ui::CopyCode& command) { sharing_.act(command); }
     void act(const ui::NameFile& command) { sharing_.act(command); }
     void act(const ui::ChangePlay& command) { play_.choose(command.options); }
+    void act(const ui::ChangeBudget& command) { budget_.choose(command.options); }
     void act(const ui::MeasureLaws&) { laws_.measure_again(); }
     void act(const ui::ExportSlot& command) { views_.export_slot(command.slot, inspector_, session_); }
 
@@ -111,6 +114,7 @@ private:
     ui::ProbeState probe_;
     Stepping stepping_{session_, clock_};
     WindowLaws laws_;
+    WindowBudget budget_;
     Play play_;
     ui::Inspection inspection_;
     view::Overlay overlay_;

@@ -1,5 +1,6 @@
 #include "app/window_start.h"
 
+#include "app/budget.h"
 #include "app/commands.h"
 #include "app/share_code.h"
 #include "app/shared_run.h"
@@ -40,6 +41,7 @@ Setup make_window_setup(const Options& options, const UserSettings& user, std::s
 }
 
 int open_window(const Options& options) {
+    check_budget(options);
     WindowOptions window;
     window.user_folder = config_folder();
     if (!options.fresh) {
@@ -56,6 +58,7 @@ int open_window(const Options& options) {
     window.scene = std::move(setup.scene);
     window.scene_file = setup.scene_file.string();
     window.settings = setup.settings;
+    window.budget = parse_budget(options.budget);
     window.seed = setup.seed;
     // What is remembered is a wish: on another machine the GPU that was asked for may not be there.
     const bool remembered_cpu = !options.backend_given && window.user.backend == "cpu";

@@ -74,6 +74,14 @@ std::span<const ui::TimingRow> WindowTimings::rows() {
     return rows_;
 }
 
+std::optional<double> WindowTimings::substep_ms() const {
+    double sum = 0.0;
+    for (std::size_t stage = 0; stage < stage_count; ++stage) {
+        sum += histories_[stage].now_ms();
+    }
+    return sum > 0.0 ? std::optional(sum) : std::nullopt;
+}
+
 bool FrameRate::add(double busy_s, double wall_s, double simulated_s) {
     ++frames_;
     busy_s_ += busy_s;

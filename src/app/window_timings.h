@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,8 @@ public:
     void add_frame(double picture_ms, double panels_ms);
     void refresh();
     std::span<const ui::TimingRow> rows();
+    /// A whole substep, as it was lately; nothing before the first was timed.
+    std::optional<double> substep_ms() const;
 
 private:
     static constexpr std::size_t picture = stage_count;

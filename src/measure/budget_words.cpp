@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -58,6 +59,12 @@ std::string counted(std::uint32_t substeps) {
     return std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps");
 }
 
+std::string capital(std::string_view name) {
+    std::string words(name);
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words;
+}
+
 std::string name(Integrator integrator) { return std::string(integrator_names[static_cast<std::size_t>(integrator)]); }
 
 // Why it is not fewer: the next cheaper count that was tried.
@@ -78,7 +85,7 @@ std::string why(const BudgetQuestion& question, const BudgetChoice& choice) {
     const Rung* blamed = share > 1.0 ? fewer : tried(choice, 2 * fewer->substeps);
     return blamed == nullptr
                ? ""
-               : ". " + std::string(demand_names[static_cast<std::size_t>(*choice.binding)]) + " decides: with " +
+               : ". " + capital(demand_names[static_cast<std::size_t>(*choice.binding)]) + " decides: with " +
                      std::to_string(blamed->substeps) + ", " + demand_words(question, *blamed, *choice.binding);
 }
 
@@ -140,8 +147,8 @@ std::string soft_words(const BudgetQuestion& question, const BudgetChoice& choic
         return "";
     }
     return ". At " + number(question.probe.scene.largest_speed) +
-           " m/s balls pass through each other, which no count changes: " + number(firm_stiffness(question, choice)) +
-           " N/m would keep overlaps to a twentieth";
+           " m/s balls pass through each other, which no count changes: " +
+           number(firm_stiffness(question, choice.softness)) + " N/m would keep overlaps to a twentieth";
 }
 
 }  // namespace
@@ -155,8 +162,8 @@ std::string nothing_sentence(const std::string& why, const BudgetChoice& choice)
     return why + "; " + counted(choice.substeps) + " as before";
 }
 
-double firm_stiffness(const BudgetQuestion& question, const BudgetChoice& choice) {
-    const double ratio = choice.softness / firm;
+double firm_stiffness(const BudgetQuestion& question, double softness) {
+    const double ratio = softness / firm;
     return question.probe.settings.stiffness * ratio * ratio;
 }
 

@@ -18,7 +18,7 @@ std::string nothing_sentence(const std::string& why, const BudgetChoice& choice)
 /// set an end to.
 std::string budget_sentence(const BudgetQuestion& question, const BudgetChoice& choice);
 
-/// N/m: with this stiffness the largest overlap would be a twentieth of a diameter.
-double firm_stiffness(const BudgetQuestion& question, const BudgetChoice& choice);
+/// N/m: with this stiffness the largest overlap, `softness` diameters now, would be a twentieth of one.
+double firm_stiffness(const BudgetQuestion& question, double softness);
 
 }  // namespace ballpit::measure

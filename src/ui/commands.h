@@ -10,6 +10,7 @@
 
 #include "core/settings.h"
 #include "ui/action.h"
+#include "ui/budget.h"
 #include "ui/options.h"
 #include "ui/play.h"
 #include "ui/probe.h"
@@ -47,6 +48,9 @@ struct ClearStatus {};
 struct DismissMessage {};
 /// What each law costs, measured anew.
 struct MeasureLaws {};
+struct ChangeBudget {
+    BudgetOptions options;
+};
 struct ChangePlay {
     PlayOptions options;
 };
@@ -108,10 +112,11 @@ struct NameFile {
     std::string name;
 };
 
-using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
-                             ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
-                             SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
-                             SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangePlay>;
+using Command =
+    std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
+                 ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
+                 SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
+                 SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget, ChangePlay>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ui/budget_panel.h"
 #include "ui/laws_panel.h"
 #include "ui/probe_panels.h"
 #include "ui/stepping_panels.h"
@@ -87,6 +88,7 @@ void right_side(const State& state, Commands& commands) {
         probe_section(state, commands);
     }
     laws_section(state, commands);
+    budget_section(state, commands);
     if (state.play != nullptr) {
         play_section(state, commands);
     }
@@ -155,6 +157,7 @@ void draw_panels(const State& state, Commands& commands) {
         draw_probe_windows(state, commands);
     }
     draw_laws_window(state, commands);
+    draw_budget_window(state, commands);
     draw_stepping_windows(state, commands);  // opened on purpose: they stay when the panels are hidden
     if (state.share != nullptr) {
         share_windows(state, commands);

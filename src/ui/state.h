@@ -10,6 +10,7 @@
 #include "core/layout.h"
 #include "core/settings.h"
 #include "measure/occupancy.h"
+#include "ui/budget.h"
 #include "ui/inspection.h"
 #include "ui/laws.h"
 #include "ui/options.h"
@@ -81,6 +82,7 @@ struct State {
     const ProbeState* probe = nullptr;        // never null in the window
     const PlayState* play = nullptr;          // never null in the window
     const LawsState* laws = nullptr;          // null while their window is closed
+    const BudgetState* budget = nullptr;      // the same
 
     const ShareState* share = nullptr;  // never null in the window
 
