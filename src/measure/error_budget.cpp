@@ -8,6 +8,7 @@
 
 #include "core/contact.h"
 #include "measure/budget_words.h"
+#include "measure/stability.h"
 
 namespace ballpit::measure {
 
@@ -98,8 +99,7 @@ double critical_dt(const BudgetQuestion& question) {
     const double frequency = question.frequency.value_or(std::sqrt(neighbours * k / scene.mass));
     const double reduced = settings.laws.contact ? 0.5 * scene.mass : scene.mass;
     const double c = 2.0 * damping_ratio(question.probe) * std::sqrt(k * reduced);
-    const double z = c * frequency / (2.0 * k);
-    return 2.0 / frequency * (std::sqrt(1.0 + z * z) - z);
+    return critical_dt(frequency, c * frequency * frequency / k);  // every contact has this c and k
 }
 
 double energy_drift(const ProbeQuestion& question, const ProbeResult& result) {

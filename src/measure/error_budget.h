@@ -77,8 +77,8 @@ struct BudgetQuestion {
 
 BudgetQuestion budget_question(const ProbeQuestion& probe, BudgetPreset preset);
 
-/// s: (2 / W) (sqrt(1 + Z^2) - Z) with Z = c W / 2 k, for leapfrog and its kin. W is the question's frequency, else
-/// sqrt(8 k / m): twelve neighbours, close packed; sqrt(k / m) where balls touch walls alone.
+/// s: the largest stable substep (stability.h) with the question's frequency, else with sqrt(8 k / m): twelve
+/// neighbours, close packed; sqrt(k / m) where balls touch walls alone.
 double critical_dt(const BudgetQuestion& question);
 
 /// 1/s: rates of collisions times what one of them makes or eats of the energy that takes part, a third of a ball's
