@@ -204,6 +204,14 @@ playing_laws() {   # what each law of a pile costs; measuring takes its time whe
     take playing_laws
 }
 
+accuracy_budget() {   # what a pile with few substeps gets wrong, and the count that would do
+    open --fresh --scene pile --set balls=300
+    key F7
+    sleep 12
+    point 640 4
+    take accuracy_budget
+}
+
 playing_hand() {   # a string of balls, and one of them on its way to the hand
     open --fresh --scene two_balls
     point 440 330
@@ -219,7 +227,7 @@ playing_hand() {   # a string of balls, and one of them on its way to the hand
 
 all="stepping_strip stepping_microscope stepping_microscope_64 stepping_microscope_all stepping_slot_to_ball
     stepping_check inspection_follow inspection_cells inspection_contacts inspection_slots inspection_buffers
-    inspection_split playing_laws playing_hand"
+    inspection_split playing_laws playing_hand accuracy_budget"
 
 for picture in ${*:-$all}; do
     "$picture"
