@@ -23,9 +23,16 @@ layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock {
     float second_gain;           // s: the same for the second kick
 #endif
 #ifdef LAW_DRAG
+#ifdef LAW_COMPENSATED
+    float decay_change;          // decay - 1, which in single would be rounded away
+#ifdef INTEGRATOR_VELOCITY_VERLET
+    float second_decay_change;
+#endif
+#else
     float decay;                 // factor of the kick: exp(-drag * duration)
 #ifdef INTEGRATOR_VELOCITY_VERLET
     float second_decay;
+#endif
 #endif
 #endif
 #ifdef LAW_GRAVITY
@@ -91,6 +98,9 @@ layout(std430, binding = SLOT_VELOCITIES) buffer VelocitiesBlock { vec4 velociti
 #ifdef LAW_WALLS
 #include "shared/walls.glsl"
 #endif
+#ifdef LAW_COMPENSATED
+#include "shared/compensated.glsl"
+#endif
 
 vec3 acceleration(Ball ball) {
     precise vec3 a = vec3(0.0);
@@ -117,25 +127,61 @@ vec3 acceleration(Ball ball) {
     return a;
 }
 
-vec3 kick(vec3 v, vec3 a) {
-#ifdef LAW_DRAG
+// `left_out`: what rounding has left out of v, which only compensated sums look at.
+vec3 kick(vec3 v, vec3 a, inout vec3 left_out) {
+#if defined(LAW_COMPENSATED) && defined(LAW_DRAG)
+    precise vec3 change = params.decay_change * v + params.gain * a;
+    return compensated_sum(v, change, left_out);
+#elif defined(LAW_COMPENSATED)
+    precise vec3 change = params.gain * a;
+    return compensated_sum(v, change, left_out);
+#elif defined(LAW_DRAG)
     precise vec3 kicked = params.decay * v + params.gain * a;
+    return kicked;
 #else
     precise vec3 kicked = v + params.gain * a;
-#endif
     return kicked;
+#endif
 }
 
 #ifdef INTEGRATOR_VELOCITY_VERLET
-vec3 second_kick(vec3 v, vec3 a) {
-#ifdef LAW_DRAG
+vec3 second_kick(vec3 v, vec3 a, inout vec3 left_out) {
+#if defined(LAW_COMPENSATED) && defined(LAW_DRAG)
+    precise vec3 change = params.second_decay_change * v + params.second_gain * a;
+    return compensated_sum(v, change, left_out);
+#elif defined(LAW_COMPENSATED)
+    precise vec3 change = params.second_gain * a;
+    return compensated_sum(v, change, left_out);
+#elif defined(LAW_DRAG)
     precise vec3 kicked = params.second_decay * v + params.second_gain * a;
+    return kicked;
 #else
     precise vec3 kicked = v + params.second_gain * a;
-#endif
     return kicked;
+#endif
 }
 #endif
+
+// `v`: after the kicks.
+vec3 way(Ball ball, vec3 v, vec3 a) {
+#if defined(INTEGRATOR_FORWARD_EULER)
+    precise vec3 way = params.drift * ball.velocity;
+#elif defined(INTEGRATOR_HISTORICAL)
+    precise vec3 way = params.drift * ball.velocity + (0.5 * params.drift * params.drift) * a;
+#else
+    precise vec3 way = params.drift * v;
+#endif
+    return way;
+}
+
+vec3 moved(vec3 x, vec3 way, inout vec3 left_out) {
+#ifdef LAW_COMPENSATED
+    return compensated_sum(x, way, left_out);
+#else
+    precise vec3 sum = x + way;
+    return sum;
+#endif
+}
 
 bool is_finite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
 
@@ -147,17 +193,22 @@ void main() {
     vec4 position = positions[id];
     vec4 velocity = velocities[id];
     Ball ball = make_ball(id, position, velocity);
-    vec3 a = acceleration(ball);
-    vec3 v = kick(ball.velocity, a);
-#ifdef INTEGRATOR_VELOCITY_VERLET
-    v = second_kick(v, a);
+    vec3 left_of_x = vec3(0.0);
+    vec3 left_of_v = vec3(0.0);
+#ifdef LAW_COMPENSATED
+    Compensation left = compensations[id];
+    left_of_x = vec3(left.x, left.y, left.z);
+    left_of_v = vec3(left.vx, left.vy, left.vz);
+    ball.left_out = left_of_x;
 #endif
-#if defined(INTEGRATOR_FORWARD_EULER)
-    precise vec3 x = ball.position + params.drift * ball.velocity;
-#elif defined(INTEGRATOR_HISTORICAL)
-    precise vec3 x = ball.position + (params.drift * ball.velocity + (0.5 * params.drift * params.drift) * a);
-#else
-    precise vec3 x = ball.position + params.drift * v;
+    vec3 a = acceleration(ball);
+    vec3 v = kick(ball.velocity, a, left_of_v);
+#ifdef INTEGRATOR_VELOCITY_VERLET
+    v = second_kick(v, a, left_of_v);
+#endif
+    vec3 x = moved(ball.position, way(ball, v, a), left_of_x);
+#ifdef LAW_COMPENSATED
+    compensations[id] = Compensation(left_of_x.x, left_of_x.y, left_of_x.z, left_of_v.x, left_of_v.y, left_of_v.z);
 #endif
 #ifdef DIAGNOSTICS
     if (!is_finite(x) || !is_finite(v)) {

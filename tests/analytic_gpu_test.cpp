@@ -31,6 +31,9 @@ TEST_CASE_METHOD(GlFixture, "A5 unequal balls on the GPU", "[gpu-physics]") { te
 TEST_CASE_METHOD(GlFixture, "A6 bounces on the floor on the GPU", "[gpu-physics]") {
     test::a6_bounces_on_the_floor(machine());
 }
+TEST_CASE_METHOD(GlFixture, "A6 with compensated sums on the GPU", "[gpu-physics]") {
+    test::a6_with_compensated_sums(machine());
+}
 TEST_CASE_METHOD(GlFixture, "A6 touch and depth on the GPU", "[gpu-physics]") { test::a6_touch_and_depth(machine()); }
 TEST_CASE_METHOD(GlFixture, "A7, A8 restitution with a dashpot on the GPU", "[gpu-physics]") {
     test::a7_a8_restitution_with_dashpot(machine());

@@ -31,6 +31,9 @@ TEMPLATE_TEST_CASE("A5 unequal balls", "[physics]", float, double) { test::a5_un
 TEMPLATE_TEST_CASE("A6 bounces on the floor", "[physics]", float, double) {
     test::a6_bounces_on_the_floor(machine<TestType>());
 }
+TEMPLATE_TEST_CASE("A6 with compensated sums", "[physics]", float, double) {
+    test::a6_with_compensated_sums(machine<TestType>());
+}
 TEMPLATE_TEST_CASE("A6 touch and depth", "[physics]", float, double) { test::a6_touch_and_depth(machine<TestType>()); }
 TEMPLATE_TEST_CASE("A7, A8 restitution with a dashpot", "[physics]", float, double) {
     test::a7_a8_restitution_with_dashpot(machine<TestType>());

@@ -107,7 +107,8 @@ TEST_CASE_METHOD(GlFixture, "every integrator and every set of laws agrees with 
     }
 }
 
-TEST_CASE_METHOD(GlFixture, "walls that move, a shaken box, a pulled ball and balls that differ agree with the mirror",
+TEST_CASE_METHOD(GlFixture,
+                 "walls that move, a shaken box, a pulled ball, balls that differ and sums agree with the mirror",
                  "[gpu-check]") {
     for (std::size_t integrator = 0; integrator < integrator_names.size(); ++integrator) {
         for (unsigned parts = 0; parts < 32; ++parts) {
@@ -120,6 +121,7 @@ TEST_CASE_METHOD(GlFixture, "walls that move, a shaken box, a pulled ball and ba
             settings.laws.contact = (parts & 1u) != 0;
             settings.laws.shake = (parts & 2u) != 0;
             settings.walls_low = (parts & 4u) != 0 ? dvec3(0.3, 0.0, -0.2) : dvec3(0.0);
+            settings.laws.compensated = (parts + integrator) % 2 == 1;
             settings.pull = (parts & 8u) != 0 ? std::optional(Pull{17, {0.1, 0.2, 2.0}}) : std::nullopt;
             if ((parts & 16u) != 0) {
                 scene.fill->radius = {0.05, 0.1};

@@ -48,9 +48,11 @@ TEST_CASE_METHOD(GlFixture, "the GPU allocates and waits as the ledger of every 
 }
 
 TEST_CASE_METHOD(GlFixture, "the GPU allocates and waits as the ledger of minimal scenes tells", "[gpu-ledger]") {
-    for (const Scene& scene : {test::free_fall_scene(3000), test::elastic_gas_scene(200), test::mono_pile_scene(200),
-                               test::mixed_pile_scene(200), test::scene_with("gravity,ball_restitution", 65),
-                               test::scene_with("gravity,walls,ball_restitution", 65)}) {
+    for (const Scene& scene :
+         {test::free_fall_scene(3000), test::elastic_gas_scene(200), test::mono_pile_scene(200),
+          test::mixed_pile_scene(200), test::scene_with("gravity,ball_restitution", 65),
+          test::scene_with("gravity,walls,ball_restitution", 65), test::scene_with("gravity,compensated", 65),
+          test::scene_with("contact,restitution,walls,compensated", 65)}) {
         CAPTURE(scene.name);
         check_against_ledger(scene, 1);
     }

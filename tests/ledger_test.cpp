@@ -159,8 +159,8 @@ TEST_CASE("the ledger speaks of the schedule that runs", "[ledger]") {
 }
 
 TEST_CASE("the mirror keeps the bytes that the ledger tells", "[ledger]") {
-    for (const char* laws :
-         {"gravity", "gravity,walls,ball_restitution", "contact,walls", "gravity,ball_restitution"}) {
+    for (const char* laws : {"gravity", "gravity,walls,ball_restitution", "contact,walls", "gravity,ball_restitution",
+                             "gravity,compensated", "contact,walls,compensated"}) {
         const Scene scene = test::scene_with(laws, 200);
         Simulation simulation(scene, scene.settings, 1, std::make_unique<cpu::CpuBackend<float>>());
         const auto bytes = bytes_of(simulation.schedule());

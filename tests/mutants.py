@@ -29,7 +29,7 @@ CONTACT = "glsl/shared/contact.glsl"
 # name; edits of the mirror and the core: (file, right, wrong); edits of the shaders; a case that notices it on the GPU.
 MUTANTS = [
     ("drag speeds up",
-     [(CPU, "decay * v + gain * a : v", "(Real(2) - decay) * v + gain * a : v")],
+     [(CPU, "kick.decay * v + kick.gain * a : v", "(Real(2) - kick.decay) * v + kick.gain * a : v")],
      [("glsl/collide.comp", "params.decay * v + params.gain * a", "(2.0 - params.decay) * v + params.gain * a")],
      "A3*"),
     ("drag of the squared substep",

@@ -51,7 +51,7 @@ const std::vector<PlantedBug>& planted_bugs() {
         {"the mass is forgotten", Stage::collide, {{"collide.comp", "force / ball.mass", "force"}}},
         {"the step's length is forgotten",
          Stage::collide,
-         {{"collide.comp", "ball.position + params.drift * v;", "ball.position + v;"}}},
+         {{"collide.comp", "vec3 way = params.drift * v;", "vec3 way = v;"}}},
         {"reads the state that is being written",
          Stage::collide,
          {{"collide.comp", "writeonly buffer NextPositionsBlock", "buffer NextPositionsBlock"},

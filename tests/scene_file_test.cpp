@@ -305,7 +305,8 @@ TEST_CASE("every bad value is refused in one sentence", "[core]") {
                 "wall_speed, "
                 "found 'reference'"},
         Refusal{R"("gravity")", R"("gravty")",
-                "s.json, /laws: expected no other keys than gravity, drag, contact, walls, shake, diagnostics, found "
+                "s.json, /laws: expected no other keys than gravity, drag, contact, walls, shake, diagnostics, "
+                "compensated, found "
                 "'gravty'"},
         Refusal{"[0, 0, -9.8]", "[0, 0, -980]",
                 "s.json, /laws/gravity/2: expected a number from -100 to 100 m/s^2, found -980"},
@@ -381,7 +382,8 @@ TEST_CASE("every bad value is refused in one sentence", "[core]") {
         Refusal{R"("restitution": 0.8)", R"("restitution": 2)",
                 "s.json, /balls/0/restitution: expected a number from 0.05 to 1, found 2"},
         Refusal{R"("mass": 2)", R"("weight": 2)",
-                "s.json, /balls/0: expected no other keys than position, velocity, radius, mass, restitution, found "
+                "s.json, /balls/0: expected no other keys than position, velocity, radius, mass, restitution, "
+                "compensation, found "
                 "'weight'"},
         Refusal{R"("count": 7, )", "", "s.json, /fill: expected a key 'count', found none"},
         Refusal{R"("count": 7)", R"("count": 4194304)",

@@ -26,12 +26,12 @@ MAXIMUM_BALLS = SCHEMA["properties"]["balls"]["maxItems"]
 
 ORIGIN = [0, 0, 0]
 SPRING = {"stiffness": 1000, "restitution": 0.9, "limit_force": True}
-BALL = {"position": ORIGIN, "velocity": ORIGIN, "radius": 0.1, "mass": 1, "restitution": 0.5}
+BALL = {"position": ORIGIN, "velocity": ORIGIN, "radius": 0.1, "mass": 1, "restitution": 0.5, "compensation": [0, 0, 0, 0, 0, 0]}
 EVERYTHING = {
     "$schema": "./scene.schema.json", "name": "N", "about": "A.",
     "box": {"half_extent": [1, 1, 1], "reference_count": 5, "walls_low": ORIGIN, "walls_high": ORIGIN, "wall_speed": 1},
     "laws": {"gravity": ORIGIN, "drag": 0.1, "contact": SPRING, "walls": True,
-             "shake": {"amplitude": ORIGIN, "frequency": 1}, "diagnostics": True},
+             "shake": {"amplitude": ORIGIN, "frequency": 1}, "diagnostics": True, "compensated": True},
     "time": {"dt": 0.01, "substeps": 2, "integrator": "leapfrog"},
     "compute": {"sort": "bitonic", "cell_factor": 1, "neighbours": "grid"},
     "balls": [BALL],
@@ -49,9 +49,11 @@ def base_scenes():
     del walls_alone["laws"]["contact"]
     walls_alone["laws"]["walls"] = SPRING
     resumed = {**EVERYTHING, "resume": MOMENT}
+    without_sums = {key: value for key, value in BALL.items() if key != "compensation"}
     bare = {"name": "N", "box": {"half_extent": [1, 1, 1]}, "fill": EVERYTHING["fill"]}
     return [(EVERYTHING, [()]), (walls_alone, [("laws",)]), (resumed, [("resume",), ("balls", 0)]),
-            ({**bare, "balls": [BALL]}, [("balls", 0)]), (bare, [("fill",), ("laws",)])]
+            ({**bare, "balls": [without_sums]}, [("balls", 0)]),
+            ({**bare, "laws": {"contact": SPRING, "compensated": False}, "balls": [BALL]}, [("balls", 0), ("laws",)]), (bare, [("fill",), ("laws",)])]
 
 
 # ---- What the schema says of a place

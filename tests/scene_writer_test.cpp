@@ -49,6 +49,7 @@ void expect_same_bytes(const std::string& scene, const std::function<void(Simula
     CHECK(second.substep_in_step() == first.substep_in_step());
     CHECK(second.time() == first.time());
     CHECK(second.velocity_lag() == first.velocity_lag());
+    CHECK(second.backend().read(Slot::compensations) == first.backend().read(Slot::compensations));
     const std::uint64_t at_saving = hash_of(first);
     for (int i = 0; i < 50; ++i) {
         first.step();
@@ -137,6 +138,15 @@ TEST_CASE("whatever was changed before it was saved", "[keep]") {
                               s.laws.shake = true;
                               s.shake_amplitude = {0.03, 0.0, 0.1};
                               s.shake_frequency = 1.7;
+                          }));
+    }
+    SECTION("sums are compensated") {
+        expect_same_bytes(everything, with([](Settings& s) { s.laws.compensated = true; }));
+    }
+    SECTION("sums are compensated, in place") {
+        expect_same_bytes(everything, with([](Settings& s) {
+                              s.laws.compensated = true;
+                              s.laws.contact = false;
                           }));
     }
     SECTION("balls thrown in") {

@@ -10,6 +10,9 @@ struct Ball {
 #ifdef LAW_DASHPOT
     float damping_ratio;
 #endif
+#ifdef LAW_COMPENSATED
+    vec3 left_out;               // of the position
+#endif
 };
 
 Ball make_ball(uint id, vec4 position, vec4 velocity) {

@@ -12,7 +12,8 @@
 
 #define SENTINEL 0xFFFFFFFFu      // cell id and ball id of the keys that pad to a power of two: they sort last
 
-// Slots: the binding of each buffer. GL 4.3 guarantees eight of them to a compute shader.
+// Slots: the binding of each buffer. GL 4.3 guarantees the first eight of them to a compute shader, and eight at a time;
+// core/storage_limits.h refuses what a device has no room for.
 #define SLOT_POSITIONS 0          // vec4 a ball: centre (m), radius (m)
 #define SLOT_VELOCITIES 1         // vec4 a ball: velocity (m/s), mass (kg)
 #define SLOT_DAMPING_RATIOS 2     // float a ball: dashpot zeta, only where a ball has a restitution of its own
@@ -21,7 +22,8 @@
 #define SLOT_STATUS 5             // one Status
 #define SLOT_NEXT_POSITIONS 6     // as SLOT_POSITIONS, written by collide
 #define SLOT_NEXT_VELOCITIES 7    // as SLOT_VELOCITIES, written by collide
-#define SLOT_COUNT 8
+#define SLOT_COMPENSATIONS 8      // Compensation a ball, only where sums are compensated
+#define SLOT_COUNT 9
 
 // hash_state is no part of a substep; its ring of results takes the place of a slot that it does not read.
 #define BINDING_HASHES SLOT_KEYS  // HashSum an entry
@@ -77,6 +79,17 @@ struct Key {
 struct CellRange {
     uint first;
     uint end;
+};
+
+// What rounding has left out of a ball's position (m) and velocity (m/s): the full value is the sum of both. Six floats
+// rather than two vec4: 24 bytes are read and written for every ball in every substep.
+struct Compensation {
+    float x;
+    float y;
+    float z;
+    float vx;
+    float vy;
+    float vz;
 };
 
 // Two sums that make up the 64 bits of a state hash.

@@ -15,6 +15,10 @@ float wall_force(float overlap, float speed, Ball ball) {
 void add_walls(Ball ball, inout vec3 force) {
     precise vec3 low = ball.radius - (ball.position - params.box_lower);
     precise vec3 high = ball.radius - (params.box_upper - ball.position);
+#ifdef LAW_COMPENSATED
+    low = low - ball.left_out;   // a wall's place is exact, so the ball's may be, too
+    high = high + ball.left_out;
+#endif
     vec3 from_low = ball.velocity;
     vec3 from_high = ball.velocity;
 #ifdef LAW_MOVING_WALLS

@@ -13,6 +13,7 @@
 #include "core/ball_state.h"
 #include "core/meter.h"
 #include "core/schedule.h"
+#include "core/storage_limits.h"
 #include "core/substep_params.h"
 
 namespace ballpit {
@@ -22,7 +23,8 @@ using Bytes = std::vector<std::byte>;
 /// Milliseconds that one run of a whole substep took, by stage; a stage that did not run has 0.
 using StageTimes = std::array<double, stage_count>;
 
-/// A copy of the state that a backend keeps where it computes: positions, velocities, damping ratios and status.
+/// A copy of the state that a backend keeps where it computes: positions, velocities, compensations, damping
+/// ratios and status.
 class SavedState {
 public:
     explicit SavedState(std::uint32_t ball_count) : ball_count_(ball_count) {}
@@ -53,6 +55,9 @@ public:
     virtual std::string_view name() const = 0;  // "gpu" or "cpu"
     virtual std::string device() const = 0;     // renderer or processor
     virtual std::string driver() const = 0;     // version text
+
+    /// How many buffers a dispatch may have (storage_limits.h).
+    virtual StorageLimits storage_limits() const { return {}; }
 
     /// Makes room for the schedule's slots and loads the state (`limit_force` turns restitutions into damping
     /// ratios). Throws DeviceError when the device has no room; the balls that were there are then lost.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/hash.h"
+#include "core/layout.h"
 #include "core/vector.h"
 
 namespace ballpit {
@@ -16,6 +17,8 @@ struct BallState {
     std::vector<vec4> velocities;      // velocity (m/s), mass (kg)
     std::vector<double> restitutions;  // one a ball where some ball has its own, else empty
     double velocity_lag = 0.0;         // s by which velocities stand behind positions (integrator.h)
+    /// What rounding left out of positions and velocities: one a ball, or empty where nobody keeps it.
+    std::vector<Compensation> compensations{};
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(positions.size()); }
 };

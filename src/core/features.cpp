@@ -24,6 +24,7 @@ Features features_of(const Settings& settings, const Variety& variety, bool wall
     features.add(Feature::moving_walls, laws.walls && walls_move && dashpot);
     features.add(Feature::pull, settings.pull && settings.pull->ball < settings.balls);
     features.add(Feature::diagnostics, laws.diagnostics);
+    features.add(Feature::compensated, laws.compensated);
     return features;
 }
 

@@ -27,9 +27,10 @@ enum class Feature : std::uint32_t {
     moving_walls = 1u << 13,    // the walls' velocity enters the dashpot
     pull = 1u << 14,            // a spring on one ball
     diagnostics = 1u << 15,     // stages count what goes wrong
+    compensated = 1u << 16,     // what rounding leaves out of positions and velocities is kept and added later
 };
 
-inline constexpr std::array<std::string_view, 16> feature_defines = {"LAW_GRAVITY",
+inline constexpr std::array<std::string_view, 17> feature_defines = {"LAW_GRAVITY",
                                                                      "LAW_DRAG",
                                                                      "LAW_CONTACT",
                                                                      "LAW_DASHPOT",
@@ -44,7 +45,8 @@ inline constexpr std::array<std::string_view, 16> feature_defines = {"LAW_GRAVIT
                                                                      "LAW_UNEQUAL_MASSES",
                                                                      "LAW_MOVING_WALLS",
                                                                      "LAW_PULL",
-                                                                     "DIAGNOSTICS"};
+                                                                     "DIAGNOSTICS",
+                                                                     "LAW_COMPENSATED"};
 
 struct Features {
     std::uint32_t bits = 0;

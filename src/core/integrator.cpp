@@ -8,7 +8,7 @@ Kick make_kick(double drag, double duration) {
     const double exponent = -drag * duration;
     // expm1 keeps the gain accurate where drag * duration is tiny; its limit is the duration itself.
     const double gain = exponent == 0.0 ? duration : std::expm1(exponent) / -drag;
-    return {std::exp(exponent), gain};
+    return {std::exp(exponent), gain, std::expm1(exponent)};
 }
 
 SubstepMotion substep_motion(Integrator integrator, double drag, double dt, double velocity_lag) {

@@ -21,6 +21,7 @@ inline constexpr std::array<std::string_view, 5> integrator_names = {"leapfrog",
 struct Kick {
     double decay = 1.0;
     double gain = 0.0;
+    double decay_change = 0.0;  // decay - 1, accurate where decay is close to 1
 };
 
 Kick make_kick(double drag, double duration);

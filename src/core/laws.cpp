@@ -26,6 +26,10 @@ constexpr std::array<LawInfo, law_count> table = {{
      "A pair has the smaller restitution of its two balls.", "A buffer of 4 B a ball, read for every ball touched."},
     {"diagnostics", "Diagnostics", &Laws::diagnostics, "Stages count balls that are not finite or outside the box.",
      "A status word, and tests of every ball."},
+    {"compensated", "Compensated sums", &Laws::compensated,
+     "What rounding leaves out of positions and velocities is kept and added later: a step can be as short as you "
+     "like.",
+     "24 B a ball, read and written in every substep."},
 }};
 
 }  // namespace

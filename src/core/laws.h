@@ -22,6 +22,7 @@ struct Laws {
     bool unequal_masses = false;
     bool ball_restitution = false;
     bool diagnostics = true;
+    bool compensated = false;
 
     friend bool operator==(const Laws&, const Laws&) = default;
 };
@@ -34,7 +35,7 @@ struct LawInfo {
     std::string_view price;  // what it asks for beyond arithmetic
 };
 
-inline constexpr std::size_t law_count = 10;
+inline constexpr std::size_t law_count = 11;
 
 /// Every law, in the order of the panel.
 std::span<const LawInfo, law_count> law_table();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/box.h"
+#include "core/layout.h"
 #include "core/settings.h"
 #include "core/vector.h"
 
@@ -21,6 +22,9 @@ struct BallSpec {
     double radius = 0.1;
     double mass = 1.0;
     std::optional<double> restitution;
+    /// Of a saved moment: what its sums had left out. Else it is what position and velocity lose when rounded to
+    /// single.
+    std::optional<Compensation> compensation{};
 };
 
 /// `count` balls put at random into `region` without touching each other, as long as they fit.

@@ -29,9 +29,19 @@ void expect_inside(const JsonValue& value, const dvec3& point, const Scene& scen
     }
 }
 
+Compensation read_compensation(const JsonValue& list) {
+    if (list.expect_array() != 6) {
+        list.refuse("a list of six numbers");
+    }
+    const auto number = [&](std::size_t i) {
+        return static_cast<float>(list.element(i).number_between(-largest_number, largest_number, ""));
+    };
+    return {number(0), number(1), number(2), number(3), number(4), number(5)};
+}
+
 // All that one ball can be asked without the rest of the scene, which may stand behind it in the file.
 BallSpec read_ball(const JsonValue& ball) {
-    ball.expect_object({"position", "velocity", "radius", "mass", "restitution"});
+    ball.expect_object({"position", "velocity", "radius", "mass", "restitution", "compensation"});
     BallSpec spec;
     spec.position = ball.required("position").vector_between(-largest_number, largest_number, "m");
     if (const auto velocity = ball.optional("velocity")) {
@@ -41,6 +51,9 @@ BallSpec read_ball(const JsonValue& ball) {
     spec.mass = ball.required("mass").number_between(smallest_mass, largest_mass, "kg");
     if (const auto restitution = ball.optional("restitution")) {
         spec.restitution = read_setting(*restitution, "restitution");
+    }
+    if (const auto compensation = ball.optional("compensation")) {
+        spec.compensation = read_compensation(*compensation);
     }
     return spec;
 }
@@ -74,6 +87,9 @@ void check_balls(const Scene& scene, const std::string& file) {
         }
         if (scene.balls[i].restitution && !touch) {
             refuse_ball(file, i, "/restitution", "a law 'contact' or 'walls' beside a ball's restitution", "none");
+        }
+        if (scene.balls[i].compensation && !scene.settings.laws.compensated) {
+            refuse_ball(file, i, "/compensation", "a law 'compensated' beside a ball's compensation", "none");
         }
     }
 }

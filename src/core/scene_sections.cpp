@@ -99,7 +99,7 @@ void read_box(const JsonValue& box, Scene& scene) {
 }
 
 void read_laws(const JsonValue& laws, Scene& scene) {
-    laws.expect_object({"gravity", "drag", "contact", "walls", "shake", "diagnostics"});
+    laws.expect_object({"gravity", "drag", "contact", "walls", "shake", "diagnostics", "compensated"});
     Settings& settings = scene.settings;
     if (const auto gravity = laws.optional("gravity")) {
         settings.laws.gravity = true;
@@ -121,6 +121,9 @@ void read_laws(const JsonValue& laws, Scene& scene) {
     }
     if (const auto diagnostics = laws.optional("diagnostics")) {
         settings.laws.diagnostics = diagnostics->boolean();
+    }
+    if (const auto compensated = laws.optional("compensated")) {
+        settings.laws.compensated = compensated->boolean();
     }
 }
 

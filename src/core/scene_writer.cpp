@@ -64,6 +64,9 @@ Json laws_json(const Settings& settings) {
     if (!settings.laws.diagnostics) {
         laws["diagnostics"] = false;
     }
+    if (settings.laws.compensated) {
+        laws["compensated"] = true;
+    }
     return laws;
 }
 
@@ -129,10 +132,19 @@ std::string vector_text(const dvec3& v) {
     return "[" + number_text(v.x) + ", " + number_text(v.y) + ", " + number_text(v.z) + "]";
 }
 
+std::string compensation_text(const Compensation& c) {
+    std::string text;
+    for (const float left : {c.x, c.y, c.z, c.vx, c.vy, c.vz}) {
+        text += (text.empty() ? "" : ", ") + number_text(static_cast<double>(left));
+    }
+    return "[" + text + "]";
+}
+
 std::string ball_text(const BallSpec& ball) {
     return R"({ "position": )" + vector_text(ball.position) + R"(, "velocity": )" + vector_text(ball.velocity) +
            R"(, "radius": )" + number_text(ball.radius) + R"(, "mass": )" + number_text(ball.mass) +
-           (ball.restitution ? R"(, "restitution": )" + shortest_text(*ball.restitution) : "") + " }";
+           (ball.restitution ? R"(, "restitution": )" + shortest_text(*ball.restitution) : "") +
+           (ball.compensation ? R"(, "compensation": )" + compensation_text(*ball.compensation) : "") + " }";
 }
 
 // One line with spaces, as a person writes it.
@@ -215,7 +227,8 @@ Scene scene_of_moment(Simulation& simulation) {
         expect_finite(position, velocity, i);
         scene.balls.push_back({dvec3(position), dvec3(velocity), static_cast<double>(position.w),
                                static_cast<double>(velocity.w),
-                               touching && i < listed.size() ? listed[i].restitution : std::nullopt});
+                               touching && i < listed.size() ? listed[i].restitution : std::nullopt,
+                               state.compensations.empty() ? std::nullopt : std::optional(state.compensations[i])});
     }
     if (scene.fill) {
         const dvec3 scale{wide, wide, 1.0};

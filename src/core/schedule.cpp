@@ -113,6 +113,10 @@ struct Builder {
         }
         std::vector<Slot> writes = schedule.in_place ? std::vector{Slot::positions, Slot::velocities}
                                                      : std::vector{Slot::next_positions, Slot::next_velocities};
+        if (schedule.features.has(Feature::compensated)) {  // in place: no other ball looks at them
+            reads.push_back(Slot::compensations);
+            writes.push_back(Slot::compensations);
+        }
         add_diagnosed(Stage::collide, "collide", Shader::collide, groups_for(schedule.ball_count, GROUP_SIZE),
                       std::move(reads), std::move(writes));
     }

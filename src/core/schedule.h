@@ -37,10 +37,12 @@ enum class Slot : std::uint8_t {
     status = SLOT_STATUS,
     next_positions = SLOT_NEXT_POSITIONS,
     next_velocities = SLOT_NEXT_VELOCITIES,
+    compensations = SLOT_COMPENSATIONS,
 };
 inline constexpr std::size_t slot_count = SLOT_COUNT;
 inline constexpr std::array<std::string_view, slot_count> slot_names = {
-    "positions", "velocities", "damping_ratios", "keys", "cell_ranges", "status", "next_positions", "next_velocities"};
+    "positions", "velocities",     "damping_ratios",  "keys",         "cell_ranges",
+    "status",    "next_positions", "next_velocities", "compensations"};
 constexpr std::string_view slot_name(Slot slot) { return slot_names[static_cast<std::size_t>(slot)]; }
 
 /// A program is a shader and the features it is compiled with.

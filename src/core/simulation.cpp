@@ -18,6 +18,10 @@ Simulation::Simulation(Scene scene, const Settings& settings, std::uint64_t seed
 
 void Simulation::load(Scene scene, const Settings& settings, std::uint64_t seed) {
     World world = make_world(scene, settings.balls, seed);
+    const WallShift walls = scene.resume ? scene.resume->walls : WallShift{};
+    expect_storage(scene_schedule(settings, world.box, walls, largest_radius(world.balls), variety_of(world.balls),
+                                  settings.balls),
+                   backend_->storage_limits());
     scene_ = std::move(scene);
     run_.settings = settings;
     seed_ = seed;
@@ -52,9 +56,10 @@ void Simulation::load_state(const BallState& state) {
     run_.restitutions = ball_restitutions(scene_, run_.settings, state.count());
     run_.velocity_lag = state.velocity_lag;
     run_.largest_radius = largest_radius(state);
-    run_.variety = variety_of({state.positions, state.velocities, run_.restitutions, run_.velocity_lag});
+    run_.variety = variety_of({state.positions, state.velocities, run_.restitutions, run_.velocity_lag, {}});
     set_schedule(state.count());
-    load_backend(*backend_, {state.positions, state.velocities, run_.restitutions, run_.velocity_lag});
+    load_backend(*backend_,
+                 {state.positions, state.velocities, run_.restitutions, run_.velocity_lag, state.compensations});
 }
 
 // Restitutions that no law asks for are remembered here, but not on the device.
@@ -183,6 +188,9 @@ void Simulation::change(const Settings& wanted) {
     const bool other_program = wanted_features(wanted) != schedule_.features;
     const bool other_damping = ball_restitutions(scene_, wanted, run_.settings.balls) != run_.restitutions;
     if (other_count || other_program || other_damping) {
+        expect_storage(
+            scene_schedule(wanted, run_.scene_box, run_.walls, run_.largest_radius, run_.variety, wanted.balls),
+            backend_->storage_limits());
         World world;
         if (other_count) {
             // Fewer balls than there are need nothing new; those that were thrown in are none of the scene's.
@@ -191,6 +199,7 @@ void Simulation::change(const Settings& wanted) {
             world = make_world(scene_, fewer ? std::min(wanted.balls, own) : wanted.balls, seed_);  // may throw
             world.balls.positions.resize(wanted.balls);
             world.balls.velocities.resize(wanted.balls);
+            world.balls.compensations.resize(wanted.balls);
         }
         BallState state = synchronised_state();
         rebase_clock();
@@ -198,6 +207,8 @@ void Simulation::change(const Settings& wanted) {
             const std::size_t kept = std::min<std::size_t>(state.count(), wanted.balls);
             std::copy_n(state.positions.begin(), kept, world.balls.positions.begin());
             std::copy_n(state.velocities.begin(), kept, world.balls.velocities.begin());
+            state.compensations.resize(state.count());
+            std::copy_n(state.compensations.begin(), kept, world.balls.compensations.begin());
             state = std::move(world.balls);
             run_.scene_box = united(run_.scene_box, world.box);  // walls never close in on balls
             run_.overlapping = world.overlapping;
@@ -228,6 +239,7 @@ void Simulation::add(const AddBalls& added) {
         return;
     }
     BallState state = synchronised_state();
+    state.compensations.resize(state.count());
     for (const BallSpec& spec : added.balls) {
         add_ball(state, spec);
     }
@@ -254,7 +266,7 @@ void Simulation::use(std::unique_ptr<Backend> backend) {
 
 BallState Simulation::raw_state() {
     return {read_slot<vec4>(*backend_, Slot::positions), read_slot<vec4>(*backend_, Slot::velocities),
-            run_.restitutions, run_.velocity_lag};
+            run_.restitutions, run_.velocity_lag, read_slot<Compensation>(*backend_, Slot::compensations)};
 }
 
 BallState Simulation::synchronised_state() {
@@ -267,6 +279,7 @@ BallState Simulation::synchronised_state() {
                                             schedule_.ball_count, run_.variety);
     run_aside(params, [&] {  // a kick without a drift: not a substep
         state.velocities = read_slot<vec4>(*backend_, schedule_.in_place ? Slot::velocities : Slot::next_velocities);
+        state.compensations = read_slot<Compensation>(*backend_, Slot::compensations);
     });
     state.velocity_lag = 0.0;
     return state;
@@ -275,12 +288,14 @@ BallState Simulation::synchronised_state() {
 void Simulation::run_aside(const SubstepParams<double>& params, const std::function<void()>& look) {
     const auto before = schedule_.in_place ? backend_->save() : nullptr;
     const Bytes status = backend_->read(Slot::status);
+    const Bytes compensations = backend_->read(Slot::compensations);
     backend_->run(schedule_, params, 0, schedule_.dispatches.size());
     look();
     if (before != nullptr) {
         backend_->restore(*before, schedule_);
     } else {
-        backend_->write(Slot::status, status);  // what was counted aside does not count
+        backend_->write(Slot::status, status);  // what was counted and left out aside does not count
+        backend_->write(Slot::compensations, compensations);
     }
 }
 

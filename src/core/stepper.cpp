@@ -13,11 +13,19 @@ constexpr std::uint64_t step_bits = 40;
 
 std::uint64_t tag_of(std::uint64_t epoch, std::uint64_t step) { return epoch << step_bits | step; }
 
+// Of a checkpoint, nearly: what grows with the balls.
+std::size_t saved_bytes(const Schedule& schedule) {
+    const bool compensated = schedule.features.has(Feature::compensated);
+    return schedule.ball_count * (2 * sizeof(vec4) + (compensated ? sizeof(Compensation) : 0));
+}
+
 std::optional<std::uint32_t> first_difference(const BallState& a, const BallState& b) {
     const std::uint32_t common = std::min(a.count(), b.count());
     for (std::uint32_t i = 0; i < common; ++i) {
+        const bool kept = i < std::min(a.compensations.size(), b.compensations.size());
         if (std::memcmp(&a.positions[i], &b.positions[i], sizeof(vec4)) != 0 ||
-            std::memcmp(&a.velocities[i], &b.velocities[i], sizeof(vec4)) != 0) {
+            std::memcmp(&a.velocities[i], &b.velocities[i], sizeof(vec4)) != 0 ||
+            (kept && std::memcmp(&a.compensations[i], &b.compensations[i], sizeof(Compensation)) != 0)) {
             return i;
         }
     }
@@ -111,7 +119,7 @@ void Stepper::remember() {
     if (timeline_.budget() == 0 || timeline_.has(now)) {
         return;
     }
-    const std::size_t bytes = std::size_t{simulation_.schedule().ball_count} * 2 * sizeof(vec4);
+    const std::size_t bytes = saved_bytes(simulation_.schedule());
     const std::size_t interval = bytes * wanted_checkpoints / timeline_.budget() + 1;
     if (now.step % interval != 0) {
         return;

@@ -14,13 +14,15 @@ namespace {
 constexpr double hand_rate = 10.0;  // 1/s
 constexpr double rate_per_substep = 0.5;
 
-constexpr std::array<ShaderParamInfo, 23> table = {{
+constexpr std::array<ShaderParamInfo, 25> table = {{
     {"ball_count", &ShaderParams::ball_count},
     {"drift", &ShaderParams::drift},
     {"gain", &ShaderParams::gain},
     {"second_gain", &ShaderParams::second_gain},
     {"decay", &ShaderParams::decay},
     {"second_decay", &ShaderParams::second_decay},
+    {"decay_change", &ShaderParams::decay_change},
+    {"second_decay_change", &ShaderParams::second_decay_change},
     {"gravity", &ShaderParams::gravity},
     {"stiffness", &ShaderParams::stiffness},
     {"radius", &ShaderParams::radius},
@@ -54,6 +56,8 @@ SubstepParams<double> make_substep_params(const Settings& settings, const Walls&
     p.second_gain = motion.second.gain;
     p.decay = motion.first.decay;
     p.second_decay = motion.second.decay;
+    p.decay_change = motion.first.decay_change;
+    p.second_decay_change = motion.second.decay_change;
     p.gravity = settings.gravity;
     p.stiffness = settings.stiffness;
     p.radius = static_cast<double>(variety.radius);

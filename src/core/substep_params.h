@@ -25,6 +25,8 @@ struct SubstepParams {
     Real second_gain{0};
     Real decay{1};  // exp(-drag * duration)
     Real second_decay{1};
+    Real decay_change{0};  // decay - 1
+    Real second_decay_change{0};
     Vec3<Real> gravity{0};  // m/s^2
     Real stiffness{0};      // N/m
     Real radius{0};         // m, where all balls have the same
@@ -61,6 +63,8 @@ SubstepParams<Real> narrowed(const SubstepParams<double>& p) {
     n.second_gain = real(p.second_gain);
     n.decay = real(p.decay);
     n.second_decay = real(p.second_decay);
+    n.decay_change = real(p.decay_change);
+    n.second_decay_change = real(p.second_decay_change);
     n.gravity = Vec3<Real>(p.gravity);
     n.stiffness = real(p.stiffness);
     n.radius = real(p.radius);

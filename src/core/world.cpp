@@ -117,6 +117,10 @@ BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, con
 void add_ball(BallState& balls, const BallSpec& spec) {
     balls.positions.emplace_back(vec3(spec.position), static_cast<float>(spec.radius));
     balls.velocities.emplace_back(vec3(spec.velocity), static_cast<float>(spec.mass));
+    const vec3 left(spec.position - dvec3(vec3(spec.position)));
+    const vec3 left_velocity(spec.velocity - dvec3(vec3(spec.velocity)));
+    balls.compensations.push_back(spec.compensation.value_or(
+        Compensation{left.x, left.y, left.z, left_velocity.x, left_velocity.y, left_velocity.z}));
 }
 
 Variety variety_of(const BallState& balls) {

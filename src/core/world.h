@@ -26,7 +26,8 @@ double largest_radius(const BallState& balls);
 /// kg, of a ball of this radius (m) and density (kg/m^3).
 double sphere_mass(double radius, double density);
 
-/// Appends a ball; values are rounded to single. Restitutions are those of ball_restitutions.
+/// Appends a ball; values are rounded to single, what that leaves out is its compensation. Restitutions are those of
+/// ball_restitutions.
 void add_ball(BallState& balls, const BallSpec& spec);
 
 /// The first `scene.settings.balls`-like count of balls: those listed first, then the fill, which goes on as

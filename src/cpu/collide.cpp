@@ -18,6 +18,7 @@ struct Ball {
     Vec3<Real> velocity;
     Real mass;
     Real damping_ratio;
+    Vec3<Real> left_out;  // of the position
 };
 
 template <class Real>
@@ -32,6 +33,16 @@ Vec3<Real> coincident_direction(std::uint32_t id, std::uint32_t other) {
     Vec3<Real> direction(0);
     direction[static_cast<int>((id + other) % 3u)] = id < other ? Real(1) : Real(-1);
     return direction;
+}
+
+// Adds the increment and what earlier sums have left out; leaves out what this one does.
+template <class Real>
+Vec3<Real> compensated_sum(const Vec3<Real>& sum, const Vec3<Real>& increment, Vec3<Real>& left_out) {
+    const Vec3<Real> added = increment + left_out;
+    const Vec3<Real> rounded = sum + added;
+    const Vec3<Real> moved = rounded - sum;
+    left_out = (sum - (rounded - moved)) + (added - moved);
+    return rounded;
 }
 
 template <class Real>
@@ -50,10 +61,10 @@ struct Collider {
         return features.has(Feature::ball_restitution) ? in.damping_ratios[id] : params.damping_ratio;
     }
 
-    Ball<Real> ball(std::uint32_t id) const {
+    Ball<Real> ball(std::uint32_t id, const Vec3<Real>& left_out) const {
         const Vec4<Real>& p = in.positions[id];
         const Vec4<Real>& v = in.velocities[id];
-        return {id, Vec3<Real>(p), radius_of(p), Vec3<Real>(v), mass_of(v), damping_ratio_of(id)};
+        return {id, Vec3<Real>(p), radius_of(p), Vec3<Real>(v), mass_of(v), damping_ratio_of(id), left_out};
     }
 
     // Force (N) along the contact normal: F = k * overlap - c * separation_speed.
@@ -105,8 +116,12 @@ struct Collider {
         const Vec3<Real> from_low = moving ? ball.velocity - params.lower_velocity : ball.velocity;
         const Vec3<Real> from_high = moving ? ball.velocity - params.upper_velocity : ball.velocity;
         for (int axis = 0; axis < 3; ++axis) {
-            const Real low = ball.radius - (ball.position[axis] - params.box_lower[axis]);
-            const Real high = ball.radius - (params.box_upper[axis] - ball.position[axis]);
+            Real low = ball.radius - (ball.position[axis] - params.box_lower[axis]);
+            Real high = ball.radius - (params.box_upper[axis] - ball.position[axis]);
+            if (features.has(Feature::compensated)) {  // a wall's place is exact, so the ball's may be, too
+                low -= ball.left_out[axis];
+                high += ball.left_out[axis];
+            }
             force[axis] += wall_force(ball, low, from_low[axis]);
             force[axis] -= wall_force(ball, high, -from_high[axis]);
         }
@@ -134,8 +149,30 @@ struct Collider {
         return a;
     }
 
-    Vec3<Real> kick(const Vec3<Real>& v, const Vec3<Real>& a, Real decay, Real gain) const {
-        return features.has(Feature::drag) ? decay * v + gain * a : v + gain * a;
+    // One of the two kicks of a substep: v becomes decay * v + gain * a.
+    struct Kick {
+        Real decay;
+        Real decay_change;
+        Real gain;
+    };
+
+    Vec3<Real> kicked(const Vec3<Real>& v, const Vec3<Real>& a, const Kick& kick, Vec3<Real>& left_out) const {
+        const bool drag = features.has(Feature::drag);
+        if (features.has(Feature::compensated)) {
+            return compensated_sum<Real>(v, drag ? kick.decay_change * v + kick.gain * a : kick.gain * a, left_out);
+        }
+        return drag ? kick.decay * v + kick.gain * a : v + kick.gain * a;
+    }
+
+    // `v`: after the kicks.
+    Vec3<Real> way(const Ball<Real>& ball, const Vec3<Real>& v, const Vec3<Real>& a) const {
+        if (features.has(Feature::forward_euler)) {
+            return params.drift * ball.velocity;
+        }
+        if (features.has(Feature::historical)) {
+            return params.drift * ball.velocity + (Real(0.5) * params.drift * params.drift) * a;
+        }
+        return params.drift * v;
     }
 };
 
@@ -176,23 +213,24 @@ bool is_finite(const Vec3<Real>& v) {
 
 template <class Real>
 void collide(const SubstepParams<Real>& params, Features features, const CollideInput<Real>& in,
-             std::span<Vec4<Real>> next_positions, std::span<Vec4<Real>> next_velocities, Status& status) {
+             std::span<Vec4<Real>> next_positions, std::span<Vec4<Real>> next_velocities,
+             std::span<LeftOut<Real>> left_out, Status& status) {
     const Collider<Real> collider{params, features, in};
+    const bool compensated = features.has(Feature::compensated);
     for (std::uint32_t id = 0; id < params.ball_count; ++id) {
-        const Ball<Real> ball = collider.ball(id);
+        LeftOut<Real> unkept;
+        LeftOut<Real>& left = compensated ? left_out[id] : unkept;
+        const Ball<Real> ball = collider.ball(id, left.position);
         const Vec3<Real> a = collider.acceleration(ball);
-        Vec3<Real> v = collider.kick(ball.velocity, a, params.decay, params.gain);
+        Vec3<Real> v =
+            collider.kicked(ball.velocity, a, {params.decay, params.decay_change, params.gain}, left.velocity);
         if (features.has(Feature::velocity_verlet)) {
-            v = collider.kick(v, a, params.second_decay, params.second_gain);
+            v = collider.kicked(v, a, {params.second_decay, params.second_decay_change, params.second_gain},
+                                left.velocity);
         }
-        Vec3<Real> x = ball.position;
-        if (features.has(Feature::forward_euler)) {
-            x = x + params.drift * ball.velocity;
-        } else if (features.has(Feature::historical)) {
-            x = x + (params.drift * ball.velocity + (Real(0.5) * params.drift * params.drift) * a);
-        } else {
-            x = x + params.drift * v;
-        }
+        const Vec3<Real> way = collider.way(ball, v, a);
+        const Vec3<Real> x =
+            compensated ? compensated_sum<Real>(ball.position, way, left.position) : ball.position + way;
         if (features.has(Feature::diagnostics) && (!is_finite(x) || !is_finite(v))) {
             status.bits |= STATUS_NOT_FINITE;
             ++status.not_finite;
@@ -203,8 +241,8 @@ void collide(const SubstepParams<Real>& params, Features features, const Collide
 }
 
 template void collide(const SubstepParams<float>&, Features, const CollideInput<float>&, std::span<Vec4<float>>,
-                      std::span<Vec4<float>>, Status&);
+                      std::span<Vec4<float>>, std::span<LeftOut<float>>, Status&);
 template void collide(const SubstepParams<double>&, Features, const CollideInput<double>&, std::span<Vec4<double>>,
-                      std::span<Vec4<double>>, Status&);
+                      std::span<Vec4<double>>, std::span<LeftOut<double>>, Status&);
 
 }  // namespace ballpit::cpu

@@ -9,6 +9,13 @@
 
 namespace ballpit::cpu {
 
+/// What rounding has left out of a ball's position (m) and velocity (m/s).
+template <class Real>
+struct LeftOut {
+    Vec3<Real> position{0};
+    Vec3<Real> velocity{0};
+};
+
 /// What collide reads. Spans of laws that are absent may be empty.
 template <class Real>
 struct CollideInput {
@@ -20,10 +27,12 @@ struct CollideInput {
 };
 
 /// Writes the next state of each ball, which may be over the state that is read where the contact law is absent;
-/// counts those that are not finite, with diagnostics. Neighbours are met in the order of
+/// counts those that are not finite, with diagnostics. `left_out` (one a ball, else empty) is kept where sums are
+/// compensated. Neighbours are met in the order of
 /// cells and slots, so the sums, and with them the bits of the result, do not depend on who runs when.
 template <class Real>
 void collide(const SubstepParams<Real>& params, Features features, const CollideInput<Real>& in,
-             std::span<Vec4<Real>> next_positions, std::span<Vec4<Real>> next_velocities, Status& status);
+             std::span<Vec4<Real>> next_positions, std::span<Vec4<Real>> next_velocities,
+             std::span<LeftOut<Real>> left_out, Status& status);
 
 }  // namespace ballpit::cpu

@@ -12,7 +12,6 @@
 #include "cpu/bitonic_sort_fused.h"
 #include "cpu/build_grid.h"
 #include "cpu/clear_cells.h"
-#include "cpu/collide.h"
 #include "cpu/meter.h"
 
 namespace ballpit::cpu {
@@ -48,14 +47,32 @@ void overwrite_converted(std::vector<To>& elements, std::span<const std::byte> b
 }
 
 template <class Real>
+LeftOut<Real> left_out_of(const Compensation& c) {
+    return {Vec3<Real>(vec3(c.x, c.y, c.z)), Vec3<Real>(vec3(c.vx, c.vy, c.vz))};
+}
+
+template <class Real>
+Bytes compensation_bytes(const std::vector<LeftOut<Real>>& left_out) {
+    std::vector<Compensation> compensations;
+    for (const LeftOut<Real>& left : left_out) {
+        const vec3 x(left.position);
+        const vec3 v(left.velocity);
+        compensations.push_back({x.x, x.y, x.z, v.x, v.y, v.z});
+    }
+    return bytes_of<Compensation>(compensations);
+}
+
+template <class Real>
 struct CpuState final : SavedState {
     using SavedState::SavedState;
     std::size_t bytes() const override {
-        return (positions.size() + velocities.size()) * sizeof(Vec4<Real>) + damping_ratios.size() * sizeof(Real);
+        return (positions.size() + velocities.size()) * sizeof(Vec4<Real>) + left_out.size() * sizeof(LeftOut<Real>) +
+               damping_ratios.size() * sizeof(Real);
     }
 
     std::vector<Vec4<Real>> positions;
     std::vector<Vec4<Real>> velocities;
+    std::vector<LeftOut<Real>> left_out;
     std::vector<Real> damping_ratios;
     Status status{};
 };
@@ -89,9 +106,19 @@ void CpuBackend<Real>::load(const BallState& state, const Schedule& schedule, bo
     // Rounded to float for the reference too: it answers the same question as the mirror.
     const std::vector<float> ratios = damping_ratios_of(state.restitutions, limit_force);
     damping_ratios_.assign(ratios.begin(), ratios.end());
+    load_left_out(state.compensations, schedule);
     status_ = {};
     make_next(schedule);
     reschedule(schedule);
+}
+
+// Nothing has been left out so far where the state does not say; nothing is kept where no law asks for it.
+template <class Real>
+void CpuBackend<Real>::load_left_out(std::span<const Compensation> compensations, const Schedule& schedule) {
+    left_out_.assign(schedule.features.has(Feature::compensated) ? schedule.ball_count : 0, {});
+    for (std::size_t i = 0; i < std::min(left_out_.size(), compensations.size()); ++i) {
+        left_out_[i] = left_out_of<Real>(compensations[i]);
+    }
 }
 
 // The other state buffer, filled as if nothing had moved; none where balls are computed in place.
@@ -129,7 +156,7 @@ void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParam
             const bool in_place = !features.has(Feature::contact);
             return collide<Real>(params, features, {positions_, velocities_, damping_ratios_, keys_, cell_ranges_},
                                  in_place ? positions_ : next_positions_, in_place ? velocities_ : next_velocities_,
-                                 status);
+                                 left_out_, status);
         }
     }
 }
@@ -161,6 +188,7 @@ std::unique_ptr<SavedState> CpuBackend<Real>::save() {
     auto state = std::make_unique<CpuState<Real>>(static_cast<std::uint32_t>(positions_.size()));
     state->positions = positions_;
     state->velocities = velocities_;
+    state->left_out = left_out_;
     state->damping_ratios = damping_ratios_;
     state->status = status_;
     return state;
@@ -171,6 +199,8 @@ void CpuBackend<Real>::restore(const SavedState& state, const Schedule& schedule
     const auto& saved = dynamic_cast<const CpuState<Real>&>(state);
     positions_ = saved.positions;
     velocities_ = saved.velocities;
+    left_out_ = saved.left_out;
+    left_out_.resize(schedule.features.has(Feature::compensated) ? positions_.size() : 0);
     damping_ratios_ = saved.damping_ratios;
     status_ = saved.status;
     make_next(schedule);
@@ -226,6 +256,8 @@ Bytes CpuBackend<Real>::read(Slot slot) {
             return bytes_of<CellRange>(cell_ranges_);
         case Slot::status:
             return bytes_of<Status>({&status_, 1});
+        case Slot::compensations:
+            return compensation_bytes(left_out_);
     }
     return {};
 }
@@ -250,6 +282,9 @@ void CpuBackend<Real>::write(Slot slot, std::span<const std::byte> bytes) {
         case Slot::status:
             assert(bytes.size() == sizeof(Status));
             std::memcpy(&status_, bytes.data(), sizeof(Status));
+            return;
+        case Slot::compensations:
+            std::ranges::transform(typed<Compensation>(bytes), left_out_.begin(), left_out_of<Real>);
             return;
     }
 }

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "core/backend.h"
+#include "cpu/collide.h"
 
 namespace ballpit::cpu {
 
 template <class Real>
-class CpuBackend final : public Backend {
+class CpuBackend : public Backend {
 public:
     std::string_view name() const override { return "cpu"; }
     std::string device() const override;
@@ -49,12 +50,14 @@ public:
 
 private:
     void make_next(const Schedule& schedule);
+    void load_left_out(std::span<const Compensation> compensations, const Schedule& schedule);
     void run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params);
 
     std::vector<Vec4<Real>> positions_;
     std::vector<Vec4<Real>> velocities_;
     std::vector<Vec4<Real>> next_positions_;
     std::vector<Vec4<Real>> next_velocities_;
+    std::vector<LeftOut<Real>> left_out_;
     std::vector<Real> damping_ratios_;
     std::vector<Key> keys_;
     std::vector<CellRange> cell_ranges_;

@@ -1,5 +1,6 @@
 #include "gpu/gpu_backend.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -15,7 +16,8 @@ namespace ballpit::gpu {
 namespace {
 
 // What a checkpoint keeps; everything else follows from it.
-constexpr std::array saved_slots = {Slot::positions, Slot::velocities, Slot::damping_ratios, Slot::status};
+constexpr std::array saved_slots = {Slot::positions, Slot::velocities, Slot::compensations, Slot::damping_ratios,
+                                    Slot::status};
 
 struct GpuState final : SavedState {
     using SavedState::SavedState;
@@ -70,10 +72,21 @@ void GpuBackend::reserve(Slot slot, std::size_t bytes) {
     used_bytes_[physical(slot)] = bytes;
 }
 
+StorageLimits GpuBackend::storage_limits() const {
+    StorageLimits limits;
+    GLint value = 0;
+    glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &value);
+    limits.blocks = static_cast<std::uint32_t>(value);
+    glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &value);
+    limits.bindings = static_cast<std::uint32_t>(value);
+    return limits;
+}
+
 void GpuBackend::load(const BallState& state, const Schedule& schedule, bool limit_force) {
+    expect_storage(schedule, storage_limits());
     const auto bytes = bytes_of(schedule);
-    for (const Slot slot :
-         {Slot::positions, Slot::velocities, Slot::next_positions, Slot::next_velocities, Slot::status}) {
+    for (const Slot slot : {Slot::positions, Slot::velocities, Slot::compensations, Slot::next_positions,
+                            Slot::next_velocities, Slot::status}) {
         reserve(slot, bytes[static_cast<std::size_t>(slot)]);
     }
     const std::vector<float> ratios = damping_ratios_of(state.restitutions, limit_force);
@@ -87,6 +100,10 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
         write(Slot::next_velocities, std::as_bytes(std::span(state.velocities)));
     }
     write(Slot::damping_ratios, std::as_bytes(std::span(ratios)));
+    // Nothing has been left out so far where the state does not say.
+    std::vector<Compensation> compensations = state.compensations;
+    compensations.resize(bytes[static_cast<std::size_t>(Slot::compensations)] / sizeof(Compensation));
+    write(Slot::compensations, std::as_bytes(std::span(compensations)));
     write(Slot::status, std::as_bytes(std::span(&clean, 1)));
 }
 
@@ -183,6 +200,12 @@ void GpuBackend::restore(const SavedState& state, const Schedule& schedule) {
     };
     for (std::size_t i = 0; i < saved_slots.size(); ++i) {
         fill(saved_slots[i], saved.buffers[i]);
+    }
+    const std::size_t kept = used_bytes_[physical(Slot::compensations)];
+    const std::size_t wanted = bytes_of(schedule)[static_cast<std::size_t>(Slot::compensations)];
+    if (kept != wanted) {  // another schedule than the one it was saved under
+        reserve(Slot::compensations, wanted);
+        write(Slot::compensations, Bytes(wanted));
     }
     const gl::Buffer none;
     fill(Slot::next_positions, schedule.in_place ? none : saved.buffers[0]);  // as load() leaves them

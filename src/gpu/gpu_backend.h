@@ -28,6 +28,7 @@ public:
     std::string device() const override;
     std::string driver() const override;
 
+    StorageLimits storage_limits() const override;
     void load(const BallState& state, const Schedule& schedule, bool limit_force) override;
     void reschedule(const Schedule& schedule) override;
     void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,

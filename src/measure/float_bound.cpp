@@ -36,6 +36,7 @@ struct Bounder {
     std::span<const vec4> positions;
     std::span<const vec4> velocities;
     std::span<const float> damping_ratios;
+    std::span<const Compensation> compensations;
 
     double damping_ratio(std::size_t i) const {
         return features.has(Feature::ball_restitution) ? static_cast<double>(damping_ratios[i]) : params.damping_ratio;
@@ -66,19 +67,15 @@ struct Bounder {
         add(contacts[pair.b], contact);
     }
 
-    // In float and in the order of the stage, because a ball that just touches must count as touching here, too.
     void add_walls(Contacts& sum, std::size_t i) const {
-        const vec4& ball = positions[i];
+        const Compensation left_out = compensations.empty() ? Compensation{} : compensations[i];
         for (int axis = 0; axis < 3; ++axis) {
-            const auto lower = static_cast<float>(params.box_lower[axis]);
-            const auto upper = static_cast<float>(params.box_upper[axis]);
             const double wall_speed =
                 std::max(std::abs(params.lower_velocity[axis]), std::abs(params.upper_velocity[axis]));
             const double speed = std::abs(static_cast<double>(velocities[i][axis])) + wall_speed;
-            for (const float overlap : {ball.w - (ball[axis] - lower), ball.w - (upper - ball[axis])}) {
-                if (overlap > 0.0f) {
-                    add(sum, {0.0, static_cast<double>(overlap), speed, static_cast<double>(velocities[i].w),
-                              damping_ratio(i)});
+            for (const double overlap : wall_overlaps(params, positions[i], axis, left_out)) {
+                if (overlap > 0.0) {
+                    add(sum, {0.0, overlap, speed, static_cast<double>(velocities[i].w), damping_ratio(i)});
                 }
             }
         }
@@ -94,13 +91,14 @@ struct Bounder {
     struct Errors {
         double position;
         double velocity;
+        double compensation;
     };
 
     Errors errors(const Contacts& sum, std::size_t i) const {
         constexpr double underflow = 16.0 * smallest_normal;
         const bool pulled = features.has(Feature::pull) && i == params.pull_ball;
         if (sum.count == 0.0 && !pulled) {
-            return {underflow, underflow};  // free flight: no division but 0 / mass, so both sides agree
+            return {underflow, underflow, underflow};  // free flight: no division but 0 / mass, so both sides agree
         }
         const auto mass = static_cast<double>(velocities[i].w);
         const double gravity = features.has(Feature::gravity) ? glm::length(params.gravity) : 0.0;
@@ -113,15 +111,27 @@ struct Bounder {
         const double velocity_error = gain * acceleration_error + 6.0 * ulp * speed + underflow;
         const double position_error = drift * (velocity_error + drift * acceleration_error) +
                                       3.0 * ulp * (glm::length(dvec3(positions[i])) + drift * speed) + underflow;
-        return {position_error, velocity_error};
+        // Each is at most half an ulp of what it belongs to, whichever way that was rounded.
+        const double compensation_error =
+            ulp * std::max(glm::length(dvec3(positions[i])) + drift * speed, speed) + underflow;
+        return {position_error, velocity_error, compensation_error};
     }
 };
 
 }  // namespace
 
+std::array<double, 2> wall_overlaps(const SubstepParams<double>& params, const vec4& position, int axis,
+                                    const Compensation& left_out) {
+    const float left = axis == 0 ? left_out.x : axis == 1 ? left_out.y : left_out.z;
+    const float low = position.w - (position[axis] - static_cast<float>(params.box_lower[axis]));
+    const float high = position.w - (static_cast<float>(params.box_upper[axis]) - position[axis]);
+    return {static_cast<double>(low - left), static_cast<double>(high + left)};
+}
+
 CollideBound collide_bound(const SubstepParams<double>& params, Features features, std::span<const vec4> positions,
-                           std::span<const vec4> velocities, std::span<const float> damping_ratios) {
-    const Bounder bounder{params, features, positions, velocities, damping_ratios};
+                           std::span<const vec4> velocities, std::span<const float> damping_ratios,
+                           std::span<const Compensation> compensations) {
+    const Bounder bounder{params, features, positions, velocities, damping_ratios, compensations};
     std::vector<Contacts> contacts(positions.size());
     if (features.has(Feature::contact)) {
         for (const Pair& pair : touching_pairs(positions)) {
@@ -136,6 +146,9 @@ CollideBound collide_bound(const SubstepParams<double>& params, Features feature
         const Bounder::Errors errors = bounder.errors(contacts[i], i);
         bound.position.push_back(errors.position);
         bound.velocity.push_back(errors.velocity);
+        if (features.has(Feature::compensated)) {
+            bound.compensation.push_back(errors.compensation);
+        }
     }
     return bound;
 }

@@ -43,18 +43,16 @@ dvec3 pull(const SubstepParams<double>& p, const dvec3& position, const dvec3& v
     return p.pull_rate * p.pull_rate * (p.pull_target - position) - 2.0 * p.pull_rate * velocity;
 }
 
-// N, on one ball. The overlaps are in float and in collide's order: whether a ball just touches a wall must not be a
-// matter of rounding.
+// N, on one ball.
 dvec3 walls_force(const SubstepParams<double>& p, Features features, const vec4& position, const vec4& velocity,
-                  double zeta) {
+                  double zeta, const Compensation& left_out) {
     dvec3 force(0.0);
     for (int axis = 0; features.has(Feature::walls) && axis < 3; ++axis) {
-        const float low = position.w - (position[axis] - static_cast<float>(p.box_lower[axis]));
-        const float high = position.w - (static_cast<float>(p.box_upper[axis]) - position[axis]);
+        const auto [low, high] = wall_overlaps(p, position, axis, left_out);
         const auto v = static_cast<double>(velocity[axis]);
         const auto mass = static_cast<double>(velocity.w);
-        force[axis] = wall_force(p, features, static_cast<double>(low), v - p.lower_velocity[axis], mass, zeta) -
-                      wall_force(p, features, static_cast<double>(high), p.upper_velocity[axis] - v, mass, zeta);
+        force[axis] = wall_force(p, features, low, v - p.lower_velocity[axis], mass, zeta) -
+                      wall_force(p, features, high, p.upper_velocity[axis] - v, mass, zeta);
     }
     return force;
 }
@@ -63,10 +61,10 @@ dvec3 walls_force(const SubstepParams<double>& p, Features features, const vec4&
 
 Violation momentum_balanced(const SubstepParams<double>& params, Features features, std::span<const vec4> positions,
                             std::span<const vec4> velocities, std::span<const float> damping_ratios,
-                            std::span<const vec4> next_velocities) {
+                            std::span<const vec4> next_velocities, std::span<const Compensation> compensations) {
     constexpr double ulp = std::numeric_limits<float>::epsilon();
     const WholeKick kick = whole_kick(params, features);
-    const CollideBound bound = collide_bound(params, features, positions, velocities, damping_ratios);
+    const CollideBound bound = collide_bound(params, features, positions, velocities, damping_ratios, compensations);
     dvec3 unexplained(0.0);
     double tolerance = 0.0;
     for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -78,7 +76,8 @@ Violation momentum_balanced(const SubstepParams<double>& params, Features featur
         const bool pulled = features.has(Feature::pull) && i == params.pull_ball;
         const dvec3 gravity = (features.has(Feature::gravity) ? params.gravity : dvec3(0.0)) +
                               (pulled ? pull(params, dvec3(positions[i]), before) : dvec3(0.0));
-        const dvec3 walls = walls_force(params, features, positions[i], velocities[i], zeta);
+        const dvec3 walls = walls_force(params, features, positions[i], velocities[i], zeta,
+                                        compensations.empty() ? Compensation{} : compensations[i]);
         unexplained += mass * (after - kick.decay * before) - kick.gain * (mass * gravity + walls);
         tolerance += mass * (bound.velocity[i] +
                              4.0 * ulp * (glm::length(before) + glm::length(after) + kick.gain * glm::length(gravity)));

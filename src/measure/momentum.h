@@ -14,6 +14,6 @@ namespace ballpit::measure {
 /// States that are not finite are no matter of this invariant.
 Violation momentum_balanced(const SubstepParams<double>& params, Features features, std::span<const vec4> positions,
                             std::span<const vec4> velocities, std::span<const float> damping_ratios,
-                            std::span<const vec4> next_velocities);
+                            std::span<const vec4> next_velocities, std::span<const Compensation> compensations = {});
 
 }  // namespace ballpit::measure

@@ -19,6 +19,12 @@ constexpr std::array<SlotColumn, 4> velocity_columns = {
 constexpr std::array<SlotColumn, 1> damping_columns = {{{"damping_ratio", "", true}}};
 constexpr std::array<SlotColumn, 2> key_columns = {{{"cell_id", "", false}, {"ball_id", "", false}}};
 constexpr std::array<SlotColumn, 2> range_columns = {{{"first", "", false}, {"end", "", false}}};
+constexpr std::array<SlotColumn, 6> compensation_columns = {{{"x", "m", true},
+                                                             {"y", "m", true},
+                                                             {"z", "m", true},
+                                                             {"vx", "m/s", true},
+                                                             {"vy", "m/s", true},
+                                                             {"vz", "m/s", true}}};
 constexpr std::array<SlotColumn, 4> status_columns = {
     {{"bits", "", false}, {"not_finite", "", false}, {"out_of_bounds", "", false}, {"over_capacity", "", false}}};
 
@@ -45,6 +51,8 @@ std::span<const SlotColumn> slot_columns(Slot slot) {
             return key_columns;
         case Slot::cell_ranges:
             return range_columns;
+        case Slot::compensations:
+            return compensation_columns;
         case Slot::status:
             break;
     }

@@ -1,6 +1,7 @@
 #include "measure/stage_checker.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "measure/float_bound.h"
 #include "measure/invariants.h"
@@ -29,7 +30,7 @@ Violation violation_after(Backend& backend, const Schedule& schedule, const Disp
             return violation;
         }
         return momentum_balanced(params, dispatch.program.features, before.positions, before.velocities,
-                                 read_slot<float>(backend, Slot::damping_ratios), velocities);
+                                 read_slot<float>(backend, Slot::damping_ratios), velocities, before.compensations);
     }
     const auto keys = read_slot<Key>(backend, Slot::keys);
     switch (dispatch.stage) {
@@ -61,6 +62,7 @@ void StageChecker::run(const Schedule& schedule, const SubstepParams<double>& pa
         if (dispatch.stage == Stage::collide) {
             before.positions = read_slot<vec4>(backend_, Slot::positions);
             before.velocities = read_slot<vec4>(backend_, Slot::velocities);
+            before.compensations = read_slot<Compensation>(backend_, Slot::compensations);
         }
         backend_.run(schedule, params, i, i + 1);
         if (mirror_ != nullptr) {
@@ -114,8 +116,11 @@ std::vector<double> StageChecker::bounds(Slot slot, const Dispatch& dispatch, co
         return {};
     }
     CollideBound bound = collide_bound(params, dispatch.program.features, before.positions, before.velocities,
-                                       read_slot<float>(backend_, Slot::damping_ratios));
-    return is_position(slot) ? bound.position : bound.velocity;
+                                       read_slot<float>(backend_, Slot::damping_ratios), before.compensations);
+    if (slot == Slot::compensations) {
+        return std::move(bound.compensation);
+    }
+    return is_position(slot) ? std::move(bound.position) : std::move(bound.velocity);
 }
 
 void StageChecker::add(CheckRow& row, const Comparison& difference, const Dispatch& dispatch) const {

@@ -31,6 +31,7 @@ void a4_contact_of_no_whole_number_of_substeps(const Machine& machine);
 void a5_unequal_balls(const Machine& machine);
 
 void a6_bounces_on_the_floor(const Machine& machine);
+void a6_with_compensated_sums(const Machine& machine);
 void a6_touch_and_depth(const Machine& machine);
 void a7_a8_restitution_with_dashpot(const Machine& machine);
 void a9_static_overlap(const Machine& machine);

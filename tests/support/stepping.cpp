@@ -101,6 +101,17 @@ std::vector<std::vector<Doing>> all_doings() {
         }},
         edit([](Settings& s) { s.balls = 45; }),
         edit([](Settings& s) { s.walls_low = dvec3(0.0); }),
+        edit([](Settings& s) { s.laws.compensated = true; }),
+        edit([](Settings& s) { s.laws = parse_laws("gravity,drag,walls,compensated"); }),  // in place from here
+        {[](const Simulation&) -> Change {
+            return AddBalls{{{{0.1, 0.0, 0.5}, {0, 0.3, -5}, 0.1, 1.0, std::nullopt}}};
+        }},
+        edit([](Settings& s) { s.balls = 40; }),
+        edit([](Settings& s) {
+            s.laws.contact = s.laws.restitution = true;
+            s.neighbours = NeighbourSearch::grid;
+        }),
+        edit([](Settings& s) { s.laws.compensated = false; }),
     };
 }
 

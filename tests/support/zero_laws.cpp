@@ -39,6 +39,7 @@ void add_everything(Settings& settings) {
     for (const LawInfo& info : law_table()) {
         settings.laws.*info.member = true;
     }
+    settings.laws.compensated = false;  // it has no coefficient that could be 0
     settings.drag = 0.0;
     settings.shake_amplitude = dvec3(1e-300);  // less than a float can tell, and yet the walls' velocity is compiled in
 }
