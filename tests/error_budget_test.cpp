@@ -167,6 +167,7 @@ TEST_CASE("what falls is as fast as it will be, and rates are those of a gas", "
     const double f = n * 4.0 / 3.0 * std::numbers::pi * 0.001;
     const double chi = (1.0 - f / 2.0) / std::pow(1.0 - f, 3.0);
     CHECK(gas.probe.scene.typical_speed == Approx(2.0).epsilon(1e-6));
+    CHECK(gas.probe.scene.largest_speed == Approx(2.0 * std::sqrt(2.0 / 3.0 * std::log(3000.0))).epsilon(1e-6));
     CHECK(gas.probe.scene.pair_rate ==
           Approx(4.0 * n * 0.04 * chi * std::sqrt(std::numbers::pi * 4.0 / 3.0)).epsilon(0.01));
     CHECK(gas.probe.scene.wall_rate ==

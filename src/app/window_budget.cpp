@@ -43,6 +43,9 @@ void WindowBudget::stop() {
 void WindowBudget::update(Session& session, bool open, double now_s, double frame_ms,
                           std::optional<double> substep_ms) {
     if (!open) {
+        if (phase_ == Phase::reading) {
+            session.simulation().backend().start_history(0);
+        }
         stop();
         asked_.reset();
         wanted_.reset();

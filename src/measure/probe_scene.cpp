@@ -75,6 +75,11 @@ void set_speeds(ProbeScene& scene, const Census& census, const Settings& setting
         scene.largest_speed = std::min(scene.largest_speed, std::max(std::sqrt(census.largest_now), terminal));
         scene.typical_speed = std::min(scene.typical_speed, scene.largest_speed);
     }
+    if (settings.laws.contact && scene.restitution == 1.0) {
+        // Balls that lose nothing share their energy out: this is about the fastest of so many of Maxwell's.
+        scene.largest_speed =
+            std::max(scene.largest_speed, scene.typical_speed * std::sqrt(2.0 / 3.0 * std::log(balls)));
+    }
     const double walls = wall_speed(settings, scene.walls_move);
     scene.typical_speed = std::max(scene.typical_speed, walls);
     scene.largest_speed += walls;

@@ -27,7 +27,8 @@ struct ProbeScene {
 
 /// Speeds are those that the balls have or can fall to, since a budget that is chosen now is to hold a moment later:
 /// the largest is sqrt(v^2 + 2 g h) of the ball for which it is largest, h its height above the wall that it falls
-/// towards; the typical one is the root of the mean of v^2 + g h. Drag limits both to what falling can reach, walls
+/// towards; the typical one is the root of the mean of v^2 + g h. Without losses collisions spread speeds as Maxwell
+/// has it, and the largest is at least sqrt(2/3 ln N) typical ones. Drag limits both to what falling can reach, walls
 /// that move add their speed. Where nothing moves or falls, a speed is assumed that presses two of the smallest balls
 /// into each other by a hundredth of their diameter.
 ///
