@@ -121,6 +121,13 @@ TEST_CASE("substeps below the floor of floats are refused", "[budget]") {
         CHECK(rung.substeps <= choice.floor);
     }
     CHECK(choice.sentence.find("only add rounding") != std::string::npos);
+    CHECK(choice.sentence.find("compensated") != std::string::npos);
+    question.probe.settings.laws.compensated = true;  // keeps what rounding leaves out: there is no such floor
+    const BudgetChoice kept = choose(question);
+    CHECK(kept.floor == 0);
+    CHECK(kept.met);
+    CHECK(kept.substeps > choice.floor);
+    CHECK(kept.measured.restitution <= 0.001);
 }
 
 TEST_CASE("the sentence says what decides and what would fit", "[budget]") {

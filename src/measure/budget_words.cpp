@@ -135,11 +135,9 @@ std::string floor_words(const BudgetQuestion& question, const BudgetChoice& choi
     if (choice.floor == 0 || choice.met || choice.floor >= 1024 || question.historical) {
         return "";
     }
-    const bool offered =
-        std::ranges::find(law_table(), std::string_view("compensated"), &LawInfo::key) != law_table().end();
     return ". More than " + std::to_string(choice.floor) +
            " only add rounding: " + number(question.probe.scene.distance) + " m from the origin floats are too coarse" +
-           (offered ? "; the law compensated goes further" : "");
+           "; the law compensated goes further";
 }
 
 std::string soft_words(const BudgetQuestion& question, const BudgetChoice& choice) {
@@ -152,11 +150,6 @@ std::string soft_words(const BudgetQuestion& question, const BudgetChoice& choic
 }
 
 }  // namespace
-
-bool compensates(const Laws& laws) {
-    const auto law = std::ranges::find(law_table(), std::string_view("compensated"), &LawInfo::key);
-    return law != law_table().end() && laws.*(law->member);
-}
 
 std::string nothing_sentence(const std::string& why, const BudgetChoice& choice) {
     return why + "; " + counted(choice.substeps) + " as before";

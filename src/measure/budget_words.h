@@ -3,13 +3,9 @@
 
 #include <string>
 
-#include "core/laws.h"
 #include "measure/error_budget.h"
 
 namespace ballpit::measure {
-
-/// Whether positions are summed with compensation, where there is such a law.
-bool compensates(const Laws& laws);
 
 /// Nothing touches, or nothing moves.
 std::string nothing_sentence(const std::string& why, const BudgetChoice& choice);

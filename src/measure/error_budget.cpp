@@ -118,7 +118,7 @@ double energy_drift(const ProbeQuestion& question, const ProbeResult& result) {
 
 std::uint32_t float_floor(const BudgetQuestion& question) {
     const ProbeQuestion& probe = question.probe;
-    if (compensates(probe.settings.laws) || probe.scene.typical_speed == 0.0) {
+    if (probe.settings.laws.compensated || probe.scene.typical_speed == 0.0) {
         return 0;
     }
     const auto distance = static_cast<float>(probe.scene.distance);
