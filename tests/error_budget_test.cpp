@@ -130,6 +130,16 @@ TEST_CASE("substeps below the floor of floats are refused", "[budget]") {
     CHECK(kept.measured.restitution <= 0.001);
 }
 
+TEST_CASE("contacts too long to be run set no trap", "[budget]") {
+    BudgetQuestion question = question_of("rain", 100, BudgetPreset::balanced);
+    question.probe.settings.stiffness = 1.0;  // seconds of contact
+    const BudgetChoice choice = choose(question);
+    for (const Rung& rung : choice.tried) {
+        CHECK((!rung.probed || rung.restitution > 0.0));
+    }
+    CHECK(choice.substeps < 64);
+}
+
 TEST_CASE("the sentence says what decides and what would fit", "[budget]") {
     BudgetQuestion question = question_of("elastic_gas", 400, BudgetPreset::balanced);
     question.substep_ms = 0.1;

@@ -146,7 +146,7 @@ BudgetChooser::BudgetChooser(Backend& backend, const BudgetQuestion& question)
         return;
     }
     for (const std::uint32_t count : ladder) {
-        if (ladder_.empty() || choice_.floor == 0 || count <= choice_.floor) {
+        if (ladder_.empty() || ((choice_.floor == 0 || count <= choice_.floor) && can_be_probed(count))) {
             ladder_.push_back(count);
         }
     }
@@ -159,6 +159,10 @@ ProbeQuestion BudgetChooser::with(std::uint32_t substeps) const {
     question.settings.substeps = substeps;
     question.settings.integrator = choice_.integrator;
     return question;
+}
+
+bool BudgetChooser::can_be_probed(std::uint32_t substeps) const {
+    return make_probe_collisions(with(substeps)).nothing.empty();
 }
 
 // With what follows from the count alone.
@@ -185,7 +189,7 @@ void BudgetChooser::take(Rung& rung, const ProbeResult& result) const {
     share(rung, Demand::restitution) = rung.restitution / question_.budget.restitution;
     share(rung, Demand::overlap) = rung.overlap / question_.budget.overlap;
     share(rung, Demand::energy) = rung.energy / question_.budget.energy;
-    rung.meets = result.nothing.empty() && worst(rung) <= 1.0;
+    rung.meets = worst(rung) <= 1.0;
 }
 
 // Nothing while a probe has to tell: that of `wanted_` substeps.
@@ -198,8 +202,8 @@ std::optional<bool> BudgetChooser::passes(std::uint32_t substeps) {
         wanted_ = substeps;
         return std::nullopt;
     }
-    // Below the floor twice as many would only measure rounding.
-    if (!first.meets || (choice_.floor != 0 && 2 * substeps > choice_.floor)) {
+    // Below the floor twice as many would only measure rounding; a contact too long to be run has no lucky phase.
+    if (!first.meets || (choice_.floor != 0 && 2 * substeps > choice_.floor) || !can_be_probed(2 * substeps)) {
         return first.meets;
     }
     const Rung& twice = rung(2 * substeps);

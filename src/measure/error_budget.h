@@ -104,6 +104,7 @@ public:
 
 private:
     ProbeQuestion with(std::uint32_t substeps) const;
+    bool can_be_probed(std::uint32_t substeps) const;
     Rung& rung(std::uint32_t substeps);
     void take(Rung& rung, const ProbeResult& result) const;
     std::optional<bool> passes(std::uint32_t substeps);
