@@ -267,9 +267,30 @@ class CommandLine(unittest.TestCase):
         trace = (self.folder / "t.csv").read_text().splitlines()
         self.assertTrue(trace[0].startswith("step,time,kinetic,potential,elastic,momentum_x,momentum_y,momentum_z,"
                                             "max_overlap,contacts,x0,y0,z0,vx0,vy0,vz0,x1"))
+        self.assertTrue(trace[0].endswith("vz1,heat_drag,heat_contacts,heat_walls,work,unexplained,angular_momentum_x,"
+                                          "angular_momentum_y,angular_momentum_z,mean_overlap,fastest,floor_force,"
+                                          "dt_over_dt_c"))
+        self.assertEqual({len(row.split(",")) for row in trace}, {10 + 2 * 6 + 12})
         self.assertEqual([row.split(",")[0] for row in trace[1:]], ["0", "1", "2", "3"])
         report = json.loads((self.folder / "r.json").read_text())
         self.assertEqual((report["backend"], report["balls"], report["steps"]), ("cpu", 2, 3))
+
+    def test_meters(self):
+        for backend in ("cpu", "auto"):
+            common = ("headless", "--scene", "rain", "--set", "balls=300", "--backend", backend, "--steps", "60",
+                      "--json", "r.json")
+            self.assertEqual(run(*common, folder=self.folder).returncode, 0)
+            plain = json.loads((self.folder / "r.json").read_text())
+            self.assertNotIn("balance", plain["meters"])
+            self.assertEqual(run(*common, "--meters", folder=self.folder).returncode, 0)
+            metered = json.loads((self.folder / "r.json").read_text())
+            self.assertEqual(metered["state_hash"], plain["state_hash"])
+            self.assertEqual(metered["meters"]["reading"], plain["meters"]["reading"])
+            balance = metered["meters"]["balance"]
+            self.assertGreater(balance["heat_drag_J"], 0.0)
+            self.assertGreater(balance["heat_contacts_J"] + balance["heat_walls_J"], 0.0)
+            self.assertLess(abs(balance["unexplained_J"]), 0.02 * abs(balance["potential_change_J"]))
+            self.assertIn("dt / dt_c", [gauge["name"] for gauge in metered["meters"]["gauges"]])
 
     def test_json_on_standard_output_is_json_alone(self):
         result = self.headless("--scene", "two_balls", "--steps", "1", "--json", "-")

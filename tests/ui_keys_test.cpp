@@ -58,6 +58,7 @@ TEST_CASE("keys do what the help page says", "[ui]") {
     CHECK(action_of(key(SDLK_g), false) == Action::toggle_occupancy);
     CHECK(action_of(key(SDLK_F3), false) == Action::toggle_timings);
     CHECK(action_of(key(SDLK_F4), false) == Action::toggle_laws);
+    CHECK(action_of(key(SDLK_F6), false) == Action::toggle_meters);
     CHECK(action_of(key(SDLK_b), false) == Action::shoot_ball);
     CHECK(action_of(key(SDLK_n), false) == Action::add_cluster);
     CHECK(action_of(key(SDLK_h), false) == Action::toggle_hand);

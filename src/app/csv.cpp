@@ -41,11 +41,12 @@ void write_trace_header(std::ostream& out, std::uint32_t balls) {
             out << ',' << column << i;
         }
     }
-    out << '\n';
+    out << ",heat_drag,heat_contacts,heat_walls,work,unexplained,angular_momentum_x,angular_momentum_y,"
+           "angular_momentum_z,mean_overlap,fastest,floor_force,dt_over_dt_c\n";
 }
 
 void write_trace_row(std::ostream& out, std::uint64_t step, double time, const measure::Totals& totals,
-                     const BallState& state) {
+                     const BallState& state, const TracedMeters& meters) {
     put(out, step);
     put_all(out, time, totals.kinetic, totals.potential, totals.elastic, totals.momentum.x, totals.momentum.y,
             totals.momentum.z, totals.max_overlap, totals.contacts);
@@ -54,6 +55,11 @@ void write_trace_row(std::ostream& out, std::uint64_t step, double time, const m
         const vec4& v = state.velocities[i];
         put_all(out, p.x, p.y, p.z, v.x, v.y, v.z);
     }
+    const measure::Balance& b = meters.balance;
+    const MeterReading& r = meters.reading;
+    put_all(out, b.drag_heat, b.contact_heat, b.wall_heat, b.work, b.unexplained(), r.angular_momentum.x,
+            r.angular_momentum.y, r.angular_momentum.z, r.mean_overlap_share(), r.max_speed, r.floor_force,
+            meters.dt_over_critical);
     out << '\n';
 }
 

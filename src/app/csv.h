@@ -4,7 +4,9 @@
 #include <ostream>
 
 #include "core/ball_state.h"
+#include "core/meter.h"
 #include "measure/energy.h"
+#include "measure/energy_balance.h"
 
 namespace ballpit::app {
 
@@ -15,7 +17,14 @@ void write_state(std::ostream& out, const BallState& state);
 inline constexpr std::uint32_t traced_balls = 64;
 
 void write_trace_header(std::ostream& out, std::uint32_t balls);
+
+/// What the meters have of the moment of a row.
+struct TracedMeters {
+    measure::Balance balance;
+    MeterReading reading;
+    double dt_over_critical = 0.0;
+};
 void write_trace_row(std::ostream& out, std::uint64_t step, double time, const measure::Totals& totals,
-                     const BallState& state);
+                     const BallState& state, const TracedMeters& meters);
 
 }  // namespace ballpit::app

@@ -10,12 +10,14 @@
 #include "app/commands.h"
 #include "app/csv.h"
 #include "app/report.h"
+#include "app/run_meters.h"
 #include "app/screenshot.h"
 #include "app/setup.h"
 #include "app/shared_run.h"
 #include "core/error.h"
 #include "core/scene_writer.h"
 #include "measure/energy.h"
+#include "measure/stability.h"
 
 namespace ballpit::app {
 
@@ -36,7 +38,8 @@ std::uint64_t steps_to_run(const Options& options, double dt) {
 // One row a step; the file appears when the run is done.
 class Trace {
 public:
-    Trace(const std::string& path, Simulation& simulation) : simulation_(simulation) {
+    Trace(const std::string& path, Simulation& simulation, RunMeters& meters)
+        : simulation_(simulation), meters_(meters) {
         if (!path.empty()) {
             file_.emplace(path);
             write_trace_header(file_->stream(), simulation.schedule().ball_count);
@@ -46,9 +49,13 @@ public:
     void add_row() {
         if (file_) {
             const BallState state = simulation_.synchronised_state();
+            meters_.read_now(simulation_);
+            const TracedMeters metered{meters_.balance(), meters_.record().reading,
+                                       measure::dt_over_critical(meters_.record(), simulation_.settings())};
             write_trace_row(
                 file_->stream(), simulation_.step_count(), simulation_.time(),
-                measure::totals_of(state, simulation_.settings(), simulation_.features(), simulation_.box()), state);
+                measure::totals_of(state, simulation_.settings(), simulation_.features(), simulation_.box()), state,
+                metered);
         }
     }
     void commit() {
@@ -59,6 +66,7 @@ public:
 
 private:
     Simulation& simulation_;
+    RunMeters& meters_;
     std::optional<AtomicFile> file_;
 };
 
@@ -182,7 +190,10 @@ int run_headless(const Options& options) {
         screenshot.emplace(setup.paths, options);  // before the work: a missing model is told at once
     }
 
-    Trace trace(options.trace, simulation);
+    const bool metered = options.meters || !options.trace.empty();
+    simulation.set_metering(metered);
+    RunMeters meters;
+    Trace trace(options.trace, simulation, meters);
     const auto start = std::chrono::steady_clock::now();
     Json code_report;
     if (code) {
@@ -190,11 +201,16 @@ int run_headless(const Options& options) {
     }
     for (std::uint64_t i = 0; i < steps; ++i) {
         simulation.step();
+        if (metered) {
+            meters.take(simulation);
+        }
         trace.add_row();
     }
     simulation.backend().finish();
     const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     trace.commit();
+    simulation.set_metering(true);
+    meters.read_now(simulation);
 
     const BallState state = simulation.synchronised_state();
     if (state_file) {
@@ -209,6 +225,7 @@ int run_headless(const Options& options) {
         screenshot->save(simulation, code);
     }
     Json report = make_report(simulation, state, wall_ms);
+    report["meters"] = meters_json(meters, simulation, metered);
     if (preset) {
         report["budget"] = budget_report;
     }

@@ -19,7 +19,7 @@ struct KeyActions {
     Action with_shift;
 };
 
-constexpr std::array<KeyActions, 47> keys = {{
+constexpr std::array<KeyActions, 48> keys = {{
     {SDLK_SPACE, Action::toggle_run, Action::toggle_run},
     {SDLK_p, Action::toggle_run, Action::toggle_run},
     {SDLK_o, Action::one_step, Action::one_step},
@@ -61,6 +61,7 @@ constexpr std::array<KeyActions, 47> keys = {{
     {SDLK_F3, Action::toggle_timings, Action::toggle_timings},
     {SDLK_f, Action::share, Action::share},
     {SDLK_F4, Action::toggle_laws, Action::toggle_laws},
+    {SDLK_F6, Action::toggle_meters, Action::toggle_meters},
     {SDLK_F7, Action::toggle_budget, Action::toggle_budget},
     {SDLK_TAB, Action::toggle_panels, Action::toggle_panels},
     {SDLK_F11, Action::full_screen, Action::full_screen},

@@ -72,7 +72,9 @@ CLI::App* add_headless(CLI::App& app, Options& options) {
     code->excludes(steps)->excludes(headless->get_option("--seconds"));
     headless->add_option("--save", options.save, "Scene file of the final state, which goes on from there");
     headless->add_option("--state-out", options.state_out, "CSV of the final state, one row a ball");
-    headless->add_option("--trace", options.trace, "CSV with one row a step: energies, momentum, overlap, contacts");
+    headless->add_option("--trace", options.trace,
+                         "CSV with one row a step: energies, heats, momentum, overlap, contacts");
+    headless->add_flag("--meters", options.meters, "Meter every substep: the report then has where the energy went");
     headless->add_option("--screenshot", options.screenshot, "PNG of the final state");
     headless->add_option_function<std::string>(
         "--size",

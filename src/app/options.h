@@ -31,6 +31,7 @@ struct Options {
     std::string state_out;
     std::string save;  // scene file of the final state
     std::string trace;
+    bool meters = false;
     std::string screenshot;
     int width = 1280;
     int height = 720;

@@ -115,6 +115,7 @@ void view_fields(Access access, View& view) {
     access.flag("occupancy", view.occupancy, usual.occupancy);
     access.flag("timings", view.timings, usual.timings);
     access.flag("laws", view.laws, usual.laws);
+    access.flag("meters", view.meters, usual.meters);
     access.flag("budget", view.budget, usual.budget);
     access.flag("panels", view.panels, usual.panels);
     access.flag("stepper", view.stepper, usual.stepper);

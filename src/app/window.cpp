@@ -165,6 +165,7 @@ void Window::frame() {
     const int steps = advance(busy_s);
     look_inside(seconds_between(start_, now));
     laws_.update(session_, view_.laws, seconds_between(start_, now), 1000.0 * busy_s);
+    meters_.update(session_, view_.meters);
     budget_.update(session_, view_.budget, seconds_between(start_, now), 1000.0 * busy_s, timings_.substep_ms());
     measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
     for (std::string message :
@@ -231,6 +232,7 @@ ui::State Window::make_state() {
     state.share = &sharing_.state();
     state.play = &play_.describe(session_);
     state.laws = laws_.describe(session_, view_.laws);
+    state.meters = meters_.describe(session_, view_.meters);
     state.budget = budget_.describe(session_, view_.budget);
     state.message = message_;
     state.close_popups = close_popups_;

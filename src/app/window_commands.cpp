@@ -60,6 +60,9 @@ void Window::act(ui::Action action) {
         case ui::Action::toggle_laws:
             view_.laws = !view_.laws;
             return;
+        case ui::Action::toggle_meters:
+            view_.meters = !view_.meters;
+            return;
         case ui::Action::toggle_budget:
             view_.budget = !view_.budget;
             return;

@@ -14,6 +14,7 @@
 #include "app/window_inspector.h"
 #include "app/window_keeper.h"
 #include "app/window_laws.h"
+#include "app/window_meters.h"
 #include "app/window_monitor.h"
 #include "app/window_picture.h"
 #include "app/window_place.h"
@@ -94,6 +95,7 @@ private:
     void act(const ui::CopyCode& command) { sharing_.act(command); }
     void act(const ui::NameFile& command) { sharing_.act(command); }
     void act(const ui::ChangePlay& command) { play_.choose(command.options); }
+    void act(const ui::RestartMeters&) { meters_.restart(); }
     void act(const ui::ChangeBudget& command) { budget_.choose(command.options); }
     void act(const ui::MeasureLaws&) { laws_.measure_again(); }
     void act(const ui::ExportSlot& command) { views_.export_slot(command.slot, inspector_, session_); }
@@ -114,6 +116,7 @@ private:
     ui::ProbeState probe_;
     Stepping stepping_{session_, clock_};
     WindowLaws laws_;
+    WindowMeters meters_;
     WindowBudget budget_;
     Play play_;
     ui::Inspection inspection_;

@@ -113,6 +113,7 @@ public:
     dvec3 half_extent() const { return box().half_extent(); }
     const WallShift& wall_shift() const { return run_.walls; }
     const Variety& variety() const { return run_.variety; }
+    double largest_ball_radius() const { return run_.largest_radius; }  // m
     double velocity_lag() const { return run_.velocity_lag; }
     const std::vector<double>& restitutions() const { return run_.restitutions; }  // a ball each, or empty
     std::uint32_t added() const { return run_.added; }                             // balls beyond those of the scene

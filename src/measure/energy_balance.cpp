@@ -36,12 +36,10 @@ const Balance& EnergyBalance::add(const MeterRecord& record) {
 }
 
 void BalanceSeries::add(const Balance& balance) {
-    while (!points_.empty() && points_.back().time >= balance.time) {
-        points_.pop_back();
-        skipped_ = 0;
+    if (!points_.empty() && (points_.back().base_time != balance.base_time || points_.back().time > balance.time)) {
+        clear();
     }
-    const bool base = points_.empty() || points_.back().base_time != balance.base_time;
-    if (!base && ++skipped_ < stride_) {
+    if (!points_.empty() && ++skipped_ < stride_) {
         return;
     }
     skipped_ = 0;

@@ -48,12 +48,12 @@ private:
     MeterRecord last_;
 };
 
-/// Balances in the order of time, few enough to draw: when there are too many, every other one goes.
+/// Balances since one base, in the order of time and few enough to draw: when there are too many, every other one goes.
 class BalanceSeries {
 public:
     static constexpr std::size_t capacity = 1024;
 
-    /// A moment that does not lie behind those before replaces them: time was turned back.
+    /// Another base begins anew.
     void add(const Balance& balance);
     const std::vector<Balance>& points() const { return points_; }
     void clear();

@@ -193,4 +193,10 @@ std::vector<Gauge> gauges(const MeterRecord& record, const Settings& settings, c
     return list;
 }
 
+std::vector<Gauge> gauges(const MeterRecord& record, const Simulation& simulation) {
+    const dvec3 half = simulation.half_extent();
+    return gauges(record, simulation.settings(), simulation.schedule().grid, simulation.largest_ball_radius(),
+                  std::max({half.x, half.y, half.z}));
+}
+
 }  // namespace ballpit::measure

@@ -10,6 +10,7 @@
 #include "core/grid.h"
 #include "core/meter.h"
 #include "core/settings.h"
+#include "core/simulation.h"
 
 namespace ballpit::measure {
 
@@ -51,6 +52,9 @@ double stiffest_mode(const MeterReading& reading, const Settings& settings);
 /// All that apply to these laws. Empty for a reading without balls.
 std::vector<Gauge> gauges(const MeterRecord& record, const Settings& settings, const Grid& grid, double largest_radius,
                           double largest_coordinate);
+
+/// Those of the simulation as it stands, by its last record.
+std::vector<Gauge> gauges(const MeterRecord& record, const Simulation& simulation);
 
 /// The gauge of dt / dt_c, what `dt_over_dt_c` of a trace has; 0 where nothing oscillates.
 double dt_over_critical(const MeterRecord& record, const Settings& settings);

@@ -22,6 +22,7 @@ constexpr std::array<KeyRow, action_count> keys = {{
     {Action::toggle_occupancy, "G", "G", "Occupied cells and how many balls they hold"},
     {Action::toggle_timings, "F3", "F3", "Time of every stage"},
     {Action::toggle_laws, "F4", "F4", "Laws of this scene, and what they cost"},
+    {Action::toggle_meters, "F6", "F6", "Meters: where the energy goes, and how stable it is"},
     {Action::toggle_budget, "F7", "F7", "Error budget: how much may be wrong, and the substeps for it"},
     {Action::toggle_panels, "Tab", "Tab", "Hide or show the panels"},
     {Action::full_screen, "F11", "F11", "Full screen"},

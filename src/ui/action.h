@@ -18,6 +18,7 @@ enum class Action : std::uint8_t {
     toggle_occupancy,
     toggle_timings,
     toggle_laws,
+    toggle_meters,
     toggle_budget,
     shoot_ball,
     add_cluster,
@@ -63,7 +64,7 @@ enum class Action : std::uint8_t {
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 53;
+inline constexpr std::size_t action_count = 54;
 
 struct KeyRow {
     Action action;

@@ -48,6 +48,8 @@ struct ClearStatus {};
 struct DismissMessage {};
 /// What each law costs, measured anew.
 struct MeasureLaws {};
+/// The balance of the energy begins anew.
+struct RestartMeters {};
 struct ChangeBudget {
     BudgetOptions options;
 };
@@ -116,7 +118,8 @@ using Command =
     std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
                  ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
                  SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
-                 SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget, ChangePlay>;
+                 SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget, ChangePlay,
+                 RestartMeters>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

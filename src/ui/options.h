@@ -34,6 +34,7 @@ struct ViewOptions {
     bool occupancy = false;
     bool timings = false;
     bool laws = false;
+    bool meters = false;
     bool budget = false;
     bool panels = true;
     bool help = false;

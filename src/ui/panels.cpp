@@ -5,6 +5,7 @@
 
 #include "ui/budget_panel.h"
 #include "ui/laws_panel.h"
+#include "ui/meters_panel.h"
 #include "ui/probe_panels.h"
 #include "ui/stepping_panels.h"
 #include "ui/style.h"
@@ -88,6 +89,7 @@ void right_side(const State& state, Commands& commands) {
         probe_section(state, commands);
     }
     laws_section(state, commands);
+    meters_section(commands);
     budget_section(state, commands);
     if (state.play != nullptr) {
         play_section(state, commands);
@@ -157,6 +159,7 @@ void draw_panels(const State& state, Commands& commands) {
         draw_probe_windows(state, commands);
     }
     draw_laws_window(state, commands);
+    draw_meters_window(state, commands);
     draw_budget_window(state, commands);
     draw_stepping_windows(state, commands);  // opened on purpose: they stay when the panels are hidden
     if (state.share != nullptr) {

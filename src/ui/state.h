@@ -13,6 +13,7 @@
 #include "ui/budget.h"
 #include "ui/inspection.h"
 #include "ui/laws.h"
+#include "ui/meters.h"
 #include "ui/options.h"
 #include "ui/play.h"
 #include "ui/probe.h"
@@ -83,6 +84,8 @@ struct State {
     const PlayState* play = nullptr;          // never null in the window
     const LawsState* laws = nullptr;          // null while their window is closed
     const BudgetState* budget = nullptr;      // the same
+
+    const MetersState* meters = nullptr;      // null while their window is closed
 
     const ShareState* share = nullptr;  // never null in the window
 
