@@ -72,7 +72,7 @@ TEST_CASE("the meters say what has arrived, and that nothing has", "[ui]") {
     shown.fill();
     const std::string text = panel_text(gui, shown.state);
     for (const char* part : {"0.125 ms", "kinetic", "25 J", "unexplained", "-10 J", "12 and 3", "49 N", "98 N",
-                             "carried 50.0 %", "beyond", "dt / dt_c", "good", "substeps = 24"}) {
+                             "98 N: 50.0 %", "beyond", "dt / dt_c", "good", "substeps = 24"}) {
         INFO(part << " in\n" << text);
         CHECK(contains(text, part));
     }

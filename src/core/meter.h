@@ -51,7 +51,7 @@ struct MeterReading {
 MeterReading reading_of(std::span<const double> values);
 
 struct TaggedReading {
-    std::uint64_t tag;
+    std::uint64_t tag = 0;
     MeterReading reading;
 };
 

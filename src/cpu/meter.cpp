@@ -162,9 +162,9 @@ struct Meter {
             const Real radius = in.positions[ball.id].w;
             const Real low = radius - (position - params.box_lower[axis]);
             const Real high = radius - (params.box_upper[axis] - position);
-            walls[static_cast<std::size_t>(2 * axis)] = {axis, 1.0, wide(low), 0.0, wide(params.lower_velocity[axis])};
-            walls[static_cast<std::size_t>(2 * axis + 1)] = {axis, -1.0, wide(high), 0.0,
-                                                             -wide(params.upper_velocity[axis])};
+            const std::size_t place = 2 * static_cast<std::size_t>(axis);
+            walls[place] = {axis, 1.0, wide(low), 0.0, wide(params.lower_velocity[axis])};
+            walls[place + 1] = {axis, -1.0, wide(high), 0.0, -wide(params.upper_velocity[axis])};
         }
         for (Wall& wall : walls) {
             if (wall.overlap > 0.0) {

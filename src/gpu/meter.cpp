@@ -46,7 +46,7 @@ void Meter::prepare(std::uint32_t parts) {
         const std::array stages = {gl::ShaderStage{GL_COMPUTE_SHADER, gl::load_shader(folder_, "meter_sum.comp")}};
         sum_ = gl::Program(stages);
         sum_constants_ = sum_.uniform("dispatch_constants");
-        ring_ = gl::Buffer("meter ring", METER_RING_SIZE * METER_VALUES * sizeof(float));
+        ring_ = gl::Buffer("meter ring", std::size_t{METER_RING_SIZE} * METER_VALUES * sizeof(float));
     }
     const std::size_t bytes = std::max<std::size_t>(parts, 1) * METER_VALUES * sizeof(float);
     if (parts_.size() < bytes) {

@@ -92,7 +92,7 @@ std::optional<Gauge> float_floor(const MeterRecord& record, const Settings& sett
     if (!(speed > 0.0) || !(b > 0.0f)) {
         return std::nullopt;
     }
-    const double ulp = static_cast<double>(std::nextafter(b, std::numeric_limits<float>::infinity()) - b);
+    const auto ulp = static_cast<double>(std::nextafter(b, std::numeric_limits<float>::infinity()) - b);
     const double dt = substep(settings);
     Gauge gauge{"float floor", "", dt > 0.0 ? 0.5 * ulp / (dt * speed) : 0.0, 1e-3, 1e-2, false, "", std::nullopt};
     gauge.text = "Rounding of positions, " + number(ulp) + " m at the walls, against the way of a ball at " +

@@ -46,6 +46,11 @@ void bands(const MetersState& meters) {
     if (!ImGui::BeginTable("bands", 6, ImGuiTableFlags_SizingFixedFit)) {
         return;
     }
+    for (int column = 0; column < 6; ++column) {  // numbers change: columns that follow them would jump
+        constexpr std::array widths = {8.0f, 6.5f, 4.5f};
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                                widths[static_cast<std::size_t>(column % 3)] * em());
+    }
     for (std::size_t band = 0; band < energy_bands; ++band) {
         band_row(band_colour(band), band_names[band], shown[band], total);
     }
@@ -69,6 +74,9 @@ void numbers(const MeterRecord& record) {
     if (!ImGui::BeginTable("numbers", 4, ImGuiTableFlags_SizingFixedFit)) {
         return;
     }
+    for (const float width : {9.5f, 14.0f, 7.5f, 11.0f}) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width * em());
+    }
     number_row("momentum", vector_text(r.momentum, "kg m/s"), "Of all balls, x y z.");
     number_row("fastest", format("%.4g m/s", r.max_speed), "The fastest ball.");
     number_row("angular momentum", vector_text(r.angular_momentum, "kg m²/s"), "About the centre of the box, x y z.");
@@ -81,9 +89,8 @@ void numbers(const MeterRecord& record) {
     number_row("mean overlap", format("%.3g %% of D", 100.0 * r.mean_overlap_share()), "Over all contacts.");
     const double weight = record.weight();
     number_row("force on the floor", format("%.4g N", r.floor_force), "Of the lower wall along z on all balls.");
-    number_row("weight",
-               weight > 0.0 ? format("%.4g N, carried %.1f %%", weight, 100.0 * r.floor_force / weight) : "none",
-               "Of all balls; in a pile at rest the floor carries it.");
+    number_row("weight", weight > 0.0 ? format("%.4g N: %.1f %%", weight, 100.0 * r.floor_force / weight) : "none",
+               "Of all balls, and how much of it the floor carries: all, in a pile at rest.");
     ImGui::EndTable();
 }
 
@@ -124,8 +131,12 @@ void gauge_table(const State& state, Commands& commands) {
     ImGui::TableSetupColumn("light", ImGuiTableColumnFlags_WidthFixed, 5.0f * em());
     ImGui::TableSetupColumn("gauge", ImGuiTableColumnFlags_WidthFixed, 10.0f * em());
     ImGui::TableSetupColumn("about", ImGuiTableColumnFlags_WidthStretch);
-    for (const measure::Gauge& gauge : state.meters->gauges) {
-        gauge_row(gauge, state, commands);
+    for (const measure::Light light : {measure::Light::red, measure::Light::amber, measure::Light::green}) {
+        for (const measure::Gauge& gauge : state.meters->gauges) {
+            if (gauge.light() == light) {
+                gauge_row(gauge, state, commands);
+            }
+        }
     }
     ImGui::EndTable();
 }

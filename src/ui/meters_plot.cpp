@@ -19,9 +19,9 @@ constexpr float column_width_px = 2.0f;
 struct Axes {
     ImVec2 low;
     ImVec2 size;
-    double begin;
-    double end;
-    double top;
+    double begin = 0.0;
+    double end = 0.0;
+    double top = 0.0;
 
     float y(double energy) const {
         const double share = std::clamp(energy / top, 0.0, 1.0);
