@@ -114,12 +114,11 @@ struct NameFile {
     std::string name;
 };
 
-using Command =
-    std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
-                 ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
-                 SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
-                 SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget, ChangePlay,
-                 RestartMeters>;
+using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
+                             ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
+                             SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
+                             SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget,
+                             ChangePlay, RestartMeters>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui
