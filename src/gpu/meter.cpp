@@ -13,16 +13,13 @@ namespace ballpit::gpu {
 
 namespace {
 
-// What meter.comp looks at; the other features must not split its permutations.
+// Without what meter.comp does not look at, which must not split its permutations.
 Features relevant(Features features) {
-    Features seen;
-    for (const Feature feature :
-         {Feature::gravity, Feature::contact, Feature::dashpot, Feature::limit_force, Feature::walls,
-          Feature::ball_restitution, Feature::brute_force, Feature::unequal_radii, Feature::unequal_masses,
-          Feature::moving_walls, Feature::pull}) {
-        seen.add(feature, features.has(feature));
+    for (const Feature feature : {Feature::drag, Feature::velocity_verlet, Feature::forward_euler, Feature::historical,
+                                  Feature::diagnostics, Feature::compensated}) {
+        features.bits &= ~static_cast<std::uint32_t>(feature);
     }
-    return seen;
+    return features;
 }
 
 }  // namespace

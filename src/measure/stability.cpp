@@ -179,8 +179,10 @@ std::vector<Gauge> gauges(const MeterRecord& record, const Settings& settings, c
     if (settings.laws.drag) {
         list.push_back(drag(record, settings));
     }
-    if (const auto floor = float_floor(record, settings, largest_radius, largest_coordinate)) {
-        list.push_back(*floor);
+    if (!settings.laws.compensated) {  // those have no such floor: what rounding leaves out is kept
+        if (const auto floor = float_floor(record, settings, largest_radius, largest_coordinate)) {
+            list.push_back(*floor);
+        }
     }
     if (settings.laws.contact && settings.neighbours == NeighbourSearch::grid) {
         list.push_back(cells(grid, largest_radius));
