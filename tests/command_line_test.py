@@ -377,6 +377,34 @@ class CommandLine(unittest.TestCase):
         self.assertTrue(report["rows"])
         self.assertEqual(set(report["rows"][0]["stages"]), {"assign_cells", "bitonic_sort", "build_grid", "collide"})
 
+    def test_accuracy(self):
+        csv_file = self.folder / "a.csv"
+        result = run("accuracy", "--backend", "cpu", "--scene", "two_balls", "--integrator", "leapfrog,historical",
+                     "--substeps", "4,12", "--precision", "float,compensated", "--json", "-", "--csv", str(csv_file))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        report = json.loads(result.stdout)
+        for key in ("device", "driver", "command", "date", "scene"):
+            self.assertTrue(report[key])
+        self.assertTrue(report["complete"])
+        self.assertEqual(len(report["rows"]), 8)
+        errors = {(r["integrator"], r["substeps"], r["precision"]): r["position_error"] for r in report["rows"]}
+        self.assertLess(errors["leapfrog", 12, "float"], 1e-3)
+        self.assertGreater(errors["historical", 12, "float"], 1e-2)
+        for rung in report["collisions"]:
+            bound = 0.025 * (rung["expected"] - 1) if rung["integrator"] == "historical" else (
+                2.1 / rung["substeps_a_contact"] ** 3 + rung["rounding"])
+            self.assertLessEqual(abs(rung["mean"] - rung["expected"]), bound, rung)
+        lines = csv_file.read_text().splitlines()
+        self.assertEqual(len(lines), 9)
+        self.assertTrue(lines[0].startswith("device,driver,backend,command,date,scene"))
+
+    def test_accuracy_refuses(self):
+        for arguments in (["--substeps", "0"], ["--integrator", "rk4"], ["--precision", "double"],
+                          ["--seconds", "-1"], ["--limit", "0"], ["--scene", "nothing"]):
+            result = run("accuracy", "--backend", "cpu", *arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+
 
 if __name__ == "__main__":
     CommandLine.opengl = has_opengl() or os.environ.get("BALLPIT_REQUIRE_GPU") == "1"

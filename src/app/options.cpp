@@ -1,6 +1,7 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 
@@ -119,6 +120,27 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
     return bench;
 }
 
+CLI::App* add_accuracy(CLI::App& app, Options& options) {
+    CLI::App* accuracy = app.add_subcommand(
+        "accuracy", "What substeps, integrator and precision cost, and how exact they are");
+    add_scene_options(*accuracy, options);
+    accuracy->add_option("--substeps", options.substeps, "Substeps a step, such as 1,2,4,8")
+        ->delimiter(',')
+        ->check(whole_number);
+    accuracy->add_option("--integrator", options.integrator, "Integrators, such as leapfrog,historical")->delimiter(',');
+    accuracy->add_option("--precision", options.precision, "float, compensated, or both")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"float", "compensated"}));
+    accuracy->add_option("--seconds", options.seconds, "Simulated seconds of each run (default 1)")
+        ->check(CLI::PositiveNumber);
+    accuracy->add_option("--limit", options.limit, "Seconds that one run may take")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    accuracy->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
+    accuracy->add_option("--csv", options.csv, "Report as CSV to a file, or - for standard output");
+    return accuracy;
+}
+
 CLI::App* add_scenes(CLI::App& app, Options& options) {
     CLI::App* scenes = app.add_subcommand("scenes", "List the scenes");
     auto* ledger = scenes->add_flag("--ledger", options.ledger,
@@ -132,6 +154,7 @@ CLI::App* add_scenes(CLI::App& app, Options& options) {
 
 std::optional<Options> parse_options(int argc, const char* const* argv) {
     Options options;
+    options.command_line.assign(argv + std::min(argc, 1), argv + argc);
     CLI::App app("Ball Pit: balls collide in a box, every physics stage a compute shader to step through.", "ballpit");
     app.set_version_flag("--version", BALLPIT_VERSION);
     app.require_subcommand(0, 1);
@@ -144,6 +167,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         {add_headless(app, options), Command::headless},
         {add_check(app, options), Command::check},
         {add_bench(app, options), Command::bench},
+        {add_accuracy(app, options), Command::accuracy},
         {add_scenes(app, options), Command::scenes},
         {app.add_subcommand("settings", "List the settings: unit, range, default"), Command::settings},
     };

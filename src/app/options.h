@@ -8,7 +8,7 @@
 
 namespace ballpit::app {
 
-enum class Command { window, headless, check, bench, scenes, settings };
+enum class Command { window, headless, check, bench, accuracy, scenes, settings };
 
 struct Options {
     Command command = Command::window;
@@ -42,8 +42,15 @@ struct Options {
     std::vector<std::uint32_t> substeps;
     std::vector<std::string> sort;
 
+    // accuracy; substeps are bench's, seconds headless's
+    std::vector<std::string> integrator;
+    std::vector<std::string> precision;  // float, compensated
+    double limit = 20.0;  // s of the wall clock, of one run
+
     // scenes
     bool ledger = false;
+
+    std::vector<std::string> command_line;  // as it was given, without the program's name
 
     // reports; "-" is standard output
     std::string json;

@@ -123,7 +123,8 @@ bool Window::hidden() const {
 void Window::wait_for_events() {
     const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
                        !inspector_.waiting() && !sharing_.working() && !views_.working() && !laws_.working() &&
-                       !budget_.working() && !camera_.flying() && !input_.active(gui_.typing()) && !blinks(overlay_);
+                       !budget_.working() && !explorer_.working(view_.explorer) && !camera_.flying() &&
+                       !input_.active(gui_.typing()) && !blinks(overlay_);
     if (!hidden() && !still) {
         return;
     }
@@ -167,10 +168,11 @@ void Window::frame() {
     laws_.update(session_, view_.laws, seconds_between(start_, now), 1000.0 * busy_s);
     meters_.update(session_, view_.meters);
     budget_.update(session_, view_.budget, seconds_between(start_, now), 1000.0 * busy_s, timings_.substep_ms());
+    explorer_.update(view_.explorer, 1000.0 * busy_s);
     measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
     for (std::string message :
-         {views_.take_message(), laws_.take_message(), budget_.take_message(), play_.take_message(),
-          session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
+         {views_.take_message(), laws_.take_message(), budget_.take_message(), explorer_.take_message(),
+          play_.take_message(), session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
         if (!message.empty()) {
             message_ = std::move(message);
         }
@@ -234,6 +236,7 @@ ui::State Window::make_state() {
     state.laws = laws_.describe(session_, view_.laws);
     state.meters = meters_.describe(session_, view_.meters);
     state.budget = budget_.describe(session_, view_.budget);
+    state.explorer = explorer_.describe(session_, view_.explorer);
     state.message = message_;
     state.close_popups = close_popups_;
     return state;

@@ -10,6 +10,7 @@
 #include "app/window.h"
 #include "app/window_budget.h"
 #include "app/window_camera.h"
+#include "app/window_explorer.h"
 #include "app/window_gui.h"
 #include "app/window_inspector.h"
 #include "app/window_keeper.h"
@@ -98,6 +99,9 @@ private:
     void act(const ui::RestartMeters&) { meters_.restart(); }
     void act(const ui::ChangeBudget& command) { budget_.choose(command.options); }
     void act(const ui::MeasureLaws&) { laws_.measure_again(); }
+    void act(const ui::StartSweep&) { explorer_.start(session_); }
+    void act(const ui::StopSweep&) { explorer_.stop(); }
+    void act(const ui::ChooseMetric& command) { explorer_.choose(command.metric); }
     void act(const ui::ExportSlot& command) { views_.export_slot(command.slot, inspector_, session_); }
 
     gl::Context context_;
@@ -118,6 +122,7 @@ private:
     WindowLaws laws_;
     WindowMeters meters_;
     WindowBudget budget_;
+    WindowExplorer explorer_;
     Play play_;
     ui::Inspection inspection_;
     view::Overlay overlay_;

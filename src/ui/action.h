@@ -20,6 +20,7 @@ enum class Action : std::uint8_t {
     toggle_laws,
     toggle_meters,
     toggle_budget,
+    toggle_explorer,
     shoot_ball,
     add_cluster,
     toggle_hand,
@@ -64,7 +65,7 @@ enum class Action : std::uint8_t {
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 54;
+inline constexpr std::size_t action_count = 55;
 
 struct KeyRow {
     Action action;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/settings.h"
+#include "measure/sweep.h"
 #include "ui/action.h"
 #include "ui/budget.h"
 #include "ui/options.h"
@@ -52,6 +53,12 @@ struct MeasureLaws {};
 struct RestartMeters {};
 struct ChangeBudget {
     BudgetOptions options;
+};
+/// What each choice of substeps, integrator and precision costs and how exact it is, measured from the start.
+struct StartSweep {};
+struct StopSweep {};
+struct ChooseMetric {
+    measure::SweepMetric metric;
 };
 struct ChangePlay {
     PlayOptions options;
@@ -118,7 +125,7 @@ using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend,
                              ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
                              SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
                              SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget,
-                             ChangePlay, RestartMeters>;
+                             ChangePlay, RestartMeters, StartSweep, StopSweep, ChooseMetric>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

@@ -36,6 +36,7 @@ struct ViewOptions {
     bool laws = false;
     bool meters = false;
     bool budget = false;
+    bool explorer = false;
     bool panels = true;
     bool help = false;
     bool stepper = false;

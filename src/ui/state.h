@@ -11,6 +11,7 @@
 #include "core/settings.h"
 #include "measure/occupancy.h"
 #include "ui/budget.h"
+#include "ui/explorer.h"
 #include "ui/inspection.h"
 #include "ui/laws.h"
 #include "ui/meters.h"
@@ -84,6 +85,7 @@ struct State {
     const PlayState* play = nullptr;          // never null in the window
     const LawsState* laws = nullptr;          // null while their window is closed
     const BudgetState* budget = nullptr;      // the same
+    const ExplorerState* explorer = nullptr;  // the same
 
     const MetersState* meters = nullptr;      // null while their window is closed
 

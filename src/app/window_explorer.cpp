@@ -1,0 +1,104 @@
+#include "app/window_explorer.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/error.h"
+#include "cpu/cpu_backend.h"
+#include "gl/error.h"
+#include "measure/sweep_points.h"
+
+namespace ballpit::app {
+
+namespace {
+
+constexpr double slice_ms = 12.0;  // of a frame
+constexpr double run_seconds = 1.0;
+constexpr double run_limit_s = 10.0;
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+WindowExplorer::Measured WindowExplorer::to_measure(const Session& session) {
+    const Simulation& simulation = session.simulation();
+    Settings settings = measure::with_point(simulation.settings(), {});
+    settings.pull.reset();
+    return {settings, session.scene_changes(), std::string(simulation.backend().name())};
+}
+
+void WindowExplorer::start(Session& session) {
+    const Simulation& simulation = session.simulation();
+    measure::SweepQuestion question{simulation.scene(), simulation.settings(),
+                                    simulation.seed(),  measure::sweep_points(simulation.settings(), {}),
+                                    run_seconds,        run_limit_s};
+    question.settings.balls -= simulation.added();  // thrown in: none of the scene's start
+    try {
+        sweep_.emplace(std::move(question),
+                       measure::SweepBackends{[&session] { return session.twin_backend(); },
+                                              [] { return std::make_unique<cpu::CpuBackend<double>>(); }});
+        measured_ = to_measure(session);
+        running_ = !sweep_->done();
+        worked_ms_ = 0.0;
+        waited_ms_ = 0.0;
+    } catch (const DeviceError& error) {
+        message_ = error.what();
+    }
+}
+
+void WindowExplorer::update(bool open, double frame_ms) {
+    if (!working(open)) {
+        return;
+    }
+    waited_ms_ += frame_ms;
+    const auto failed = [this](const std::exception& error) {
+        message_ = std::string(error.what()) + " The sweep ends here.";
+        running_ = false;
+    };
+    try {
+        const auto start = Clock::now();
+        while (running_ && ms_since(start) < slice_ms) {
+            running_ = sweep_->advance(slice_ms);
+        }
+        worked_ms_ += ms_since(start);
+    } catch (const DeviceError& error) {
+        failed(error);
+    } catch (const gl::Error& error) {
+        failed(error);
+    }
+}
+
+const ui::ExplorerState* WindowExplorer::describe(const Session& session, bool open) {
+    if (!open) {
+        return nullptr;
+    }
+    state_.running = running_;
+    state_.here = measure::point_of(session.simulation().settings());
+    if (!sweep_) {
+        return &state_;
+    }
+    const auto& rows = sweep_->rows();
+    const std::size_t in_work = sweep_->done() || rows.empty() ? 0 : 1;
+    state_.rows = std::span(rows).first(rows.size() - in_work);
+    state_.wanted = sweep_->question().points.size();
+    state_.stale = measured_ != to_measure(session);
+    state_.progress = sweep_->progress();
+    // Only a share of every frame goes into the sweep.
+    const auto left = sweep_->seconds_left();
+    state_.seconds_left =
+        left && worked_ms_ > 0.0 ? std::optional(*left * std::max(1.0, waited_ms_ / worked_ms_)) : std::nullopt;
+    state_.dt = sweep_->question().settings.dt;
+    state_.seconds = static_cast<double>(sweep_->steps()) * state_.dt;
+    state_.float_floor = sweep_->float_floor();
+    const measure::Reference& reference = sweep_->reference();
+    state_.note = reference.note;
+    state_.horizon_s =
+        reference.usable() ? std::optional(static_cast<double>(*reference.steps) * state_.dt) : std::nullopt;
+    return &state_;
+}
+
+}  // namespace ballpit::app
