@@ -121,13 +121,14 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
 }
 
 CLI::App* add_accuracy(CLI::App& app, Options& options) {
-    CLI::App* accuracy = app.add_subcommand(
-        "accuracy", "What substeps, integrator and precision cost, and how exact they are");
+    CLI::App* accuracy =
+        app.add_subcommand("accuracy", "What substeps, integrator and precision cost, and how exact they are");
     add_scene_options(*accuracy, options);
     accuracy->add_option("--substeps", options.substeps, "Substeps a step, such as 1,2,4,8")
         ->delimiter(',')
         ->check(whole_number);
-    accuracy->add_option("--integrator", options.integrator, "Integrators, such as leapfrog,historical")->delimiter(',');
+    accuracy->add_option("--integrator", options.integrator, "Integrators, such as leapfrog,historical")
+        ->delimiter(',');
     accuracy->add_option("--precision", options.precision, "float, compensated, or both")
         ->delimiter(',')
         ->check(CLI::IsMember({"float", "compensated"}));

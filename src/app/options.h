@@ -45,7 +45,7 @@ struct Options {
     // accuracy; substeps are bench's, seconds headless's
     std::vector<std::string> integrator;
     std::vector<std::string> precision;  // float, compensated
-    double limit = 20.0;  // s of the wall clock, of one run
+    double limit = 20.0;                 // s of the wall clock, of one run
 
     // scenes
     bool ledger = false;

@@ -87,7 +87,7 @@ struct State {
     const BudgetState* budget = nullptr;      // the same
     const ExplorerState* explorer = nullptr;  // the same
 
-    const MetersState* meters = nullptr;      // null while their window is closed
+    const MetersState* meters = nullptr;  // null while their window is closed
 
     const ShareState* share = nullptr;  // never null in the window
 
