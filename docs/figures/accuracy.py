@@ -1,4 +1,4 @@
-"""Speed against accuracy, from the tables of `ballpit accuracy --csv` and of `ballpit headless --trace`."""
+"""Speed against accuracy, from the tables of `ballpit accuracy --csv`."""
 
 from math import ceil, floor, log10, pi, exp
 
@@ -8,7 +8,6 @@ from svg import AMBER, BLUE, GREEN, GREY, INK, ORANGE, PINK, SKY, Axes, Picture
 TWO_BALLS = "2026-11-22_cpu_accuracy_two_balls.csv"
 FRONTS = [("pile", "2026-11-22_h100_accuracy_pile.csv"), ("elastic gas", "2026-11-22_h100_accuracy_elastic_gas.csv"),
           ("rain", "2026-11-22_h100_accuracy_rain.csv")]
-LIMIT = [("0.99 dt_c", "2026-11-22_cpu_pile_0.99.csv", BLUE, None), ("1.05 dt_c", "2026-11-22_cpu_pile_1.05.csv", ORANGE, "9 4")]
 
 INTEGRATORS = [("leapfrog", BLUE, None), ("symplectic_euler", GREEN, "3 3"), ("velocity_verlet", AMBER, "12 5"),
                ("historical", ORANGE, "9 4")]
@@ -127,20 +126,4 @@ def fronts():
     return p.finish()
 
 
-def limit():
-    """A pile just below and just above the critical step."""
-    p = Picture(960, 500, "Kinetic energy of a pile at 0.99 and at 1.05 of the critical step")
-    p.text(40, 38, "A settled pile without damping: kinetic energy at 0.99 and 1.05 of dt_c", 18, bold=True)
-    curves = [(word, colour, dash, [(float(r["time"]), float(r["kinetic"])) for r in rows_of(file)
-                                    if 0 < float(r["kinetic"]) < 1e12]) for word, file, colour, dash in LIMIT]
-    end = min(points[-1][0] for *_, points in curves[:1])
-    y_range = decades([b for *_, points in curves for _, b in points])
-    axes = Axes(p, (90, 90, 640, 330), (0, end), y_range, log_y=True)
-    axes.frame([(round(end * k / 4, 3), f"{end * k / 4:.3g}") for k in range(5)], ticks(*y_range), "s", "J")
-    for word, colour, dash, points in curves:
-        axes.curve(points, colour, 2.5, dash)
-        p.text(740, axes.y(points[-1][1]) + 5, word, 16, colour, bold=True)
-    return p.finish()
-
-
-FIGURES = {"accuracy_contact": contact, "accuracy_floor": float_floor, "accuracy_fronts": fronts, "accuracy_limit": limit}
+FIGURES = {"accuracy_contact": contact, "accuracy_floor": float_floor, "accuracy_fronts": fronts}

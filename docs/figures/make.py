@@ -6,12 +6,13 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True   # leaves the source tree as it is
 
+import accuracy
 import physics
 import project
 import stages
 
 IMAGES = Path(__file__).resolve().parents[1] / "images"
-FIGURES = {**stages.FIGURES, **physics.FIGURES, **project.FIGURES}
+FIGURES = {**stages.FIGURES, **physics.FIGURES, **project.FIGURES, **accuracy.FIGURES}
 
 
 def main():

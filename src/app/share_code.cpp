@@ -240,9 +240,9 @@ std::vector<SharedChange> shared_changes(const Settings& start, const std::vecto
 // Of the text of a scene file with its values.
 std::uint64_t scene_check(const Scene& scene) {
     HashSum sum;
-    std::uint32_t place = 0;
+    std::uint32_t index = 0;
     for (const char letter : scene_text(scene)) {
-        sum.add(static_cast<unsigned char>(letter), place++);
+        sum.add(static_cast<unsigned char>(letter), index++);
     }
     return sum.value();
 }

@@ -23,7 +23,7 @@ double expected_restitution(Integrator integrator, double exact, std::uint32_t s
 // What rounding of positions makes of a speed that is seen over one substep.
 double rounding_error(const ProbeQuestion& question, double speed) {
     const auto place = static_cast<float>(question.scene.distance);
-    const double ulp = static_cast<double>(std::nextafter(place, 2.0f * place) - place);
+    const auto ulp = static_cast<double>(std::nextafter(place, 2.0f * place) - place);
     return ulp / (speed * question.settings.dt);
 }
 

@@ -17,6 +17,7 @@ constexpr double reference_substeps_a_contact = 400.0;
 constexpr std::uint32_t finer_than_choices = 4;
 constexpr double cheap_ball_substeps = 1e8;
 constexpr double reference_patience = 10.0;  // times the limit of a run
+constexpr double warm_up_ms = 1000.0;
 constexpr double ms_a_s = 1000.0;
 
 }  // namespace
@@ -100,7 +101,7 @@ void Sweep::begin_reference() {
     if (start.count() > most_reference_balls) {
         reference_.note = "Positions are not compared: the reference in double is for at most " +
                           std::to_string(most_reference_balls) + " balls.";
-        begin_point();
+        begin_choices();
         return;
     }
     settings.substeps = reference_.substeps;
@@ -115,7 +116,7 @@ void Sweep::advance_reference(double budget_ms) {
     if (estimate_s > reference_patience * question_.limit_s) {
         reference_.note = "Positions are not compared: the reference in double would take " + seconds_text(estimate_s) +
                           ", more than ten times the limit of a run.";
-        begin_point();
+        begin_choices();
         return;
     }
     if (!ended) {
@@ -136,7 +137,7 @@ void Sweep::advance_reference(double budget_ms) {
 void Sweep::finish_reference() {
     if (stage_ == Stage::twin) {
         reference_.steps = horizon_of(reference_.twin_at, reference_.diameter);
-        begin_point();
+        begin_choices();
         return;
     }
     stage_ = Stage::twin;
@@ -161,6 +162,9 @@ void Sweep::work(double budget_ms) {
         case Stage::twin:
             advance_reference(budget_ms);
             break;
+        case Stage::warm_up:
+            warm_up(budget_ms);
+            break;
         case Stage::timed:
             advance_timed(budget_ms);
             break;
@@ -175,19 +179,36 @@ void Sweep::work(double budget_ms) {
     }
 }
 
+// A device that was idle while the reference was computed is slow at first.
+void Sweep::begin_choices() {
+    run_ = run_of(with_point(question_.settings, question_.points.front()), false);
+    if (run_->simulation().backend().name() == "gpu") {
+        stage_ = Stage::warm_up;
+    } else {
+        begin_point();
+    }
+}
+
+void Sweep::warm_up(double budget_ms) {
+    run_->advance(std::min(budget_ms, warm_up_ms));
+    if (run_->spent_ms() >= warm_up_ms) {
+        begin_point();
+    }
+}
+
 // As if every run took a substep as long as the last one did.
 double Sweep::ms_left() const {
     if (done()) {
         return 0.0;
     }
-    const double steps = static_cast<double>(steps_);
+    const auto steps = static_cast<double>(steps_);
     const bool of_reference = stage_ == Stage::reference || stage_ == Stage::twin;
     double substeps = 0.0;
     for (std::size_t i = rows_.size(); i < question_.points.size(); ++i) {
         substeps += 2.0 * steps * question_.points[i].substeps;
     }
     double here = 0.0;
-    if (run_ != nullptr) {
+    if (run_ != nullptr && stage_ != Stage::warm_up) {
         here = steps * run_->simulation().settings().substeps - static_cast<double>(run_->substeps());
         here +=
             stage_ == Stage::timed || stage_ == Stage::reference ? steps * run_->simulation().settings().substeps : 0.0;

@@ -85,7 +85,7 @@ public:
     const SweepQuestion& question() const { return question_; }
 
 private:
-    enum class Stage : std::uint8_t { reference, twin, timed, metered, probed, done };
+    enum class Stage : std::uint8_t { reference, twin, warm_up, timed, metered, probed, done };
 
     void work(double budget_ms);
     SweepRow& row() { return rows_.back(); }
@@ -93,6 +93,8 @@ private:
     void begin_reference();
     void advance_reference(double budget_ms);
     void finish_reference();
+    void begin_choices();
+    void warm_up(double budget_ms);
     void begin_point();
     void advance_timed(double budget_ms);
     void advance_metered(double budget_ms);

@@ -23,6 +23,7 @@ public:
     Simulation& simulation() { return simulation_; }
     const std::vector<double>& step_ms() const { return step_ms_; }  // of whole steps
     std::uint64_t substeps() const { return substeps_; }
+    double spent_ms() const { return spent_ms_; }
     /// s of the wall clock that so many steps will take; nothing until it can be told.
     std::optional<double> seconds_for(std::uint64_t steps) const;
     /// Mean; 0 before the first.
