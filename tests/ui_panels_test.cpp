@@ -224,8 +224,8 @@ TEST_CASE("whatever is clicked asks for something that can be had, and every con
     CHECK(actions == std::set<Action>{Action::toggle_run, Action::one_step, Action::restart, Action::new_seed,
                                       Action::previous_scene, Action::next_scene, Action::full_screen,
                                       Action::camera_home, Action::toggle_laws, Action::toggle_meters,
-                                      Action::toggle_budget, Action::shoot_ball, Action::add_cluster,
-                                      Action::toggle_hand, Action::toggle_shake});
+                                      Action::toggle_budget, Action::toggle_explorer, Action::shoot_ball,
+                                      Action::add_cluster, Action::toggle_hand, Action::toggle_shake});
 }
 
 TEST_CASE("an open list closes when asked to", "[ui]") {

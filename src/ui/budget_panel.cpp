@@ -195,9 +195,12 @@ void budget_section(const State& state, Commands& commands) {
     if (!section("Accuracy", false)) {
         return;
     }
-    wrapped_dim_text("How much may be wrong, and how many substeps that takes.");
+    wrapped_dim_text("How much may be wrong, how many substeps that takes, and what each choice costs.");
     if (key_button("Error budget", key_hint(Action::toggle_budget), column_width(1), state.view.budget)) {
         commands.push_back(Action::toggle_budget);
+    }
+    if (key_button("Speed and accuracy", key_hint(Action::toggle_explorer), column_width(1), state.view.explorer)) {
+        commands.push_back(Action::toggle_explorer);
     }
 }
 
