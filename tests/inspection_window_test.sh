@@ -74,7 +74,7 @@ press c $left "the table to close"
 
 step "every buffer is a table"
 press u $table "the table"
-for slot in velocities damping_ratios keys cell_ranges status next_positions next_velocities positions; do
+for slot in velocities damping_ratios keys cell_ranges status next_positions next_velocities compensations positions; do
     press shift+u $table "the table of $slot"
 done
 

@@ -70,6 +70,7 @@ Settings everything_on(Settings settings) {
     for (const LawInfo& law : law_table()) {
         settings.laws.*law.member = true;
     }
+    settings.laws.compensated = false;  // has no coefficient: it is there to change bits
     return settings;
 }
 

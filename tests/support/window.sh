@@ -53,8 +53,9 @@ wait_for() {
 # ---- Display and program
 
 start_display() {
-    # The server picks a free number and writes it when it is ready.
-    Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
+    # The server picks a free number and writes it when it is ready. When its last window goes it would start anew, and
+    # refuse whoever comes meanwhile.
+    Xvfb -noreset -displayfd 3 -screen 0 1400x900x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
     display_server=$!
     wait_for "the display" test -s "$work/display"
     DISPLAY=:$(cat "$work/display")
