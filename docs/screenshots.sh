@@ -212,6 +212,16 @@ accuracy_budget() {   # what a pile with few substeps gets wrong, and the count 
     take accuracy_budget
 }
 
+accuracy_explorer() {   # what a hundred choices cost and how exact they are
+    open --fresh --scene two_balls --backend cpu
+    key F8
+    point 100 133; xdotool click 1   # Measure this scene
+    sleep 100
+    point 60 156; xdotool click 1    # Position
+    point 640 4
+    take accuracy_explorer
+}
+
 playing_hand() {   # a string of balls, and one of them on its way to the hand
     open --fresh --scene two_balls
     point 440 330
@@ -227,7 +237,8 @@ playing_hand() {   # a string of balls, and one of them on its way to the hand
 
 all="stepping_strip stepping_microscope stepping_microscope_64 stepping_microscope_all stepping_slot_to_ball
     stepping_check inspection_follow inspection_cells inspection_contacts inspection_slots inspection_buffers
-    inspection_split playing_laws playing_hand accuracy_budget"
+    inspection_split playing_laws playing_hand accuracy_budget
+    accuracy_explorer"
 
 for picture in ${*:-$all}; do
     "$picture"
