@@ -57,7 +57,7 @@ std::string panel_text(test::HeadlessGui& gui, const ui::State& state) {
 }
 
 // Everything that clicks over the window ask for.
-ui::Commands clicked_everywhere(test::HeadlessGui& gui, const Shown& shown, float stride) {
+ui::Commands clicked_everywhere(test::HeadlessGui& gui, const Shown& shown, float stride, bool* described = nullptr) {
     ui::Commands all;
     gui.frame(shown.state);
     const ImGuiWindow* window = ImGui::FindWindowByName("Speed and accuracy");
@@ -67,6 +67,10 @@ ui::Commands clicked_everywhere(test::HeadlessGui& gui, const Shown& shown, floa
     for (float y = low.y + 2.0f * ui::em(); y < low.y + size.y; y += stride) {
         for (float x = low.x + 0.5f * ui::em(); x < low.x + size.x - ui::em(); x += stride) {
             const ui::Commands more = gui.click(shown.state, x, y);
+            const bool tip = gui.shows("##Tooltip_00");
+            if (described != nullptr && !more.empty() && std::holds_alternative<ui::ChangeSettings>(more.front())) {
+                *described = tip;
+            }
             all.insert(all.end(), more.begin(), more.end());
         }
     }
@@ -107,7 +111,8 @@ TEST_CASE("a click on a symbol runs the scene like that; every metric can be cho
     Shown shown;
     std::set<std::pair<Integrator, std::uint32_t>> chosen;
     std::set<SweepMetric> metrics;
-    for (const ui::Command& command : clicked_everywhere(gui, shown, 9.0f)) {
+    bool described = false;
+    for (const ui::Command& command : clicked_everywhere(gui, shown, 9.0f, &described)) {
         if (const auto* change = std::get_if<ui::ChangeSettings>(&command)) {
             chosen.insert({change->settings.integrator, change->settings.substeps});
         }
@@ -116,6 +121,7 @@ TEST_CASE("a click on a symbol runs the scene like that; every metric can be cho
         }
     }
     CHECK(chosen.size() == 3);
+    CHECK(described);
     CHECK(metrics.size() == 4);
 }
 
