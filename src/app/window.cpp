@@ -236,7 +236,7 @@ ui::State Window::make_state() {
     state.laws = laws_.describe(session_, view_.laws);
     state.meters = meters_.describe(session_, view_.meters);
     state.budget = budget_.describe(session_, view_.budget);
-    state.explorer = explorer_.describe(session_, view_.explorer);
+    state.explorer = explorer_.describe(session_, view_.explorer, budget_.options().budget);
     state.message = message_;
     state.close_popups = close_popups_;
     return state;

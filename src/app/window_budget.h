@@ -23,6 +23,7 @@ public:
     bool working() const { return phase_ != Phase::idle || settling_; }
 
     void choose(const ui::BudgetOptions& options) { options_ = options; }
+    const ui::BudgetOptions& options() const { return options_; }
     /// Null while closed; valid until the next call.
     const ui::BudgetState* describe(const Session& session, bool open);
     std::string take_message() { return std::exchange(message_, {}); }

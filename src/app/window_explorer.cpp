@@ -22,6 +22,19 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+std::optional<double> allowed(const measure::ErrorBudget& budget, measure::SweepMetric metric) {
+    switch (metric) {
+        case measure::SweepMetric::energy:
+            return budget.energy;
+        case measure::SweepMetric::restitution:
+            return budget.restitution;
+        case measure::SweepMetric::position:  // no budget has it
+        case measure::SweepMetric::overlap:   // here the overlap itself, there its error
+            break;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 WindowExplorer::Measured WindowExplorer::to_measure(const Session& session) {
@@ -72,11 +85,13 @@ void WindowExplorer::update(bool open, double frame_ms) {
     }
 }
 
-const ui::ExplorerState* WindowExplorer::describe(const Session& session, bool open) {
+const ui::ExplorerState* WindowExplorer::describe(const Session& session, bool open,
+                                                  const measure::ErrorBudget& budget) {
     if (!open) {
         return nullptr;
     }
     state_.running = running_;
+    state_.budget = allowed(budget, state_.metric);
     state_.here = measure::point_of(session.simulation().settings());
     if (!sweep_) {
         return &state_;

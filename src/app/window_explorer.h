@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/window_session.h"
+#include "measure/error_budget.h"
 #include "measure/sweep.h"
 #include "ui/explorer.h"
 
@@ -24,8 +25,8 @@ public:
     void update(bool open, double frame_ms);
     bool working(bool open) const { return open && running_; }
 
-    /// Null while closed; valid until the next call.
-    const ui::ExplorerState* describe(const Session& session, bool open);
+    /// Null while closed; valid until the next call. The budget's line is drawn where it allows what is plotted.
+    const ui::ExplorerState* describe(const Session& session, bool open, const measure::ErrorBudget& budget);
     std::string take_message() { return std::exchange(message_, {}); }
 
 private:
