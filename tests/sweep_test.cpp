@@ -155,6 +155,18 @@ TEST_CASE("more balls than the reference takes: everything but positions is meas
     CHECK(sweep.rows()[0].energy);
 }
 
+TEST_CASE("a saved moment is run for as long as any other scene", "[sweep]") {
+    SweepQuestion question = question_of("two_balls", points_of(Integrator::leapfrog, {12}));
+    const auto fresh = run(question);
+    question.scene.resume = Resume{};
+    question.scene.resume->step = 1000;
+    question.scene.resume->time = 50.0;
+    const auto resumed = run(question);
+    CHECK(resumed[0].position_at.size() == 61);
+    CHECK(resumed[0].position_at == fresh[0].position_at);
+    CHECK(resumed[0].energy == fresh[0].energy);
+}
+
 TEST_CASE("nothing to run is no error", "[sweep]") {
     SweepQuestion question = question_of("two_balls", points_of(Integrator::leapfrog, {4}));
     question.settings.balls = 0;

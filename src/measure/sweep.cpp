@@ -128,7 +128,7 @@ void Sweep::advance_reference(double budget_ms) {
     } else {
         reference_.twin_at.push_back(rms_distance(positions, reference_.positions[reference_.twin_at.size()]));
     }
-    if (run_->simulation().step_count() == steps_) {
+    if (run_->steps() == steps_) {
         finish_reference();
     }
 }
@@ -172,7 +172,7 @@ void Sweep::work(double budget_ms) {
             advance_metered(budget_ms);
             break;
         case Stage::probed:
-            probe();
+            advance_probe(budget_ms);
             break;
         case Stage::done:
             break;

@@ -100,7 +100,7 @@ private:
     void advance_metered(double budget_ms);
     void take_records();
     void finish_metered();
-    void probe();
+    void advance_probe(double budget_ms);
     void next_point();
     bool too_slow();
     std::unique_ptr<SweepRun> run_of(const Settings& settings, bool of_reference) const;
@@ -116,6 +116,8 @@ private:
     std::unique_ptr<SweepRun> run_;
     EnergyBalance balance_;
     double energy_scale_ = 0.0;  // J, at the start, heights counted from the floor
+    std::unique_ptr<Backend> probe_backend_;
+    std::optional<CollisionProbe> probe_;  // on the backend above
     Reference reference_;
     std::vector<SweepRow> rows_;
     double reference_substep_ms_ = 0.0;  // as measured; 0 until then

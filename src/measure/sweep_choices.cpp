@@ -1,5 +1,6 @@
 // The runs of one choice of a sweep: timed and compared, then metered, then probed.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,8 @@
 namespace ballpit::measure {
 
 namespace {
+
+constexpr std::uint32_t probe_slice = 32;  // substeps
 
 // J, of the record's moment, heights counted from the corner of the box to which gravity pulls.
 double energy_above_floor(const MeterRecord& record, const Box& box) {
@@ -59,7 +62,7 @@ void Sweep::advance_timed(double budget_ms) {
             row().position_at.push_back(rms_distance(positions, reference_.positions[step]));
         }
     }
-    if (!slow && run_->simulation().step_count() < steps_) {
+    if (!slow && run_->steps() < steps_) {
         return;
     }
     std::vector<double> ms = run_->step_ms();
@@ -98,7 +101,7 @@ void Sweep::take_records() {
 void Sweep::advance_metered(double budget_ms) {
     run_->advance(budget_ms);
     take_records();
-    if (run_->simulation().step_count() < steps_) {
+    if (run_->steps() < steps_) {
         return;
     }
     run_->simulation().meter();
@@ -119,12 +122,23 @@ void Sweep::finish_metered() {
     stage_ = Stage::probed;
 }
 
-void Sweep::probe() {
-    const auto backend = backends_.device();
-    const ProbeResult result = run_probe(*backend, {with_point(question_.settings, row().point), probe_scene_});
+void Sweep::advance_probe(double budget_ms) {
+    if (!probe_) {
+        probe_backend_ = backends_.device();
+        probe_.emplace(*probe_backend_, ProbeQuestion{with_point(question_.settings, row().point), probe_scene_});
+    }
+    const auto start = std::chrono::steady_clock::now();
+    while (!probe_->advance(probe_slice)) {
+        if (std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() > budget_ms) {
+            return;
+        }
+    }
+    const ProbeResult& result = probe_->result();
     if (result.nothing.empty() && result.unending() == 0) {
         row().restitution = result.restitution_error();
     }
+    probe_.reset();
+    probe_backend_.reset();
     next_point();
 }
 

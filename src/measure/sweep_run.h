@@ -22,6 +22,8 @@ public:
 
     Simulation& simulation() { return simulation_; }
     const std::vector<double>& step_ms() const { return step_ms_; }  // of whole steps
+    /// Whole steps of this run, wherever the scene's own clock began.
+    std::uint64_t steps() const { return step_ms_.size(); }
     std::uint64_t substeps() const { return substeps_; }
     double spent_ms() const { return spent_ms_; }
     /// s of the wall clock that so many steps will take; nothing until it can be told.
