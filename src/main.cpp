@@ -28,6 +28,8 @@ int run(const app::Options& options) {
             return app::run_bench(options);
         case app::Command::accuracy:
             return app::run_accuracy(options);
+        case app::Command::extremes:
+            return app::run_extremes(options);
         case app::Command::scenes:
             return options.ledger ? app::run_ledger(options) : app::run_scenes();
         case app::Command::settings:

@@ -405,6 +405,27 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(result.returncode, 2, arguments)
             self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
 
+    # Extremes
+
+    def test_extremes(self):
+        table = self.folder / "extremes.md"
+        result = run("extremes", "--backend", "reference", "--only", "E10,E20", "--json", "-", "--markdown", table)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        report = json.loads(result.stdout)
+        for key in ("device", "driver", "command", "date"):
+            self.assertTrue(report[key])
+        self.assertTrue(report["passed"])
+        self.assertEqual([row["id"] for row in report["rows"]], ["E10", "E20"])
+        for row in report["rows"]:
+            self.assertTrue(row["claims"] and all(claim["holds"] for claim in row["claims"]), row)
+        lines = table.read_text().splitlines()
+        self.assertIn("reference", lines[1])
+        self.assertEqual(sum(line.startswith("| E") for line in lines), 2)
+
+    def test_extremes_refuses(self):
+        self.refused(run("extremes", "--backend", "cpu", "--only", "E99"), 2, "E99", "E1")
+        self.refused(run("extremes", "--backend", "mirror"), 2, "mirror")
+
 
 if __name__ == "__main__":
     CommandLine.opengl = has_opengl() or os.environ.get("BALLPIT_REQUIRE_GPU") == "1"

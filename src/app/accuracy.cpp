@@ -68,14 +68,6 @@ measure::SweepBackends backends_of(const Backend& device, const Paths& paths) {
     return backends;
 }
 
-std::string command_text(const Options& options) {
-    std::string text = "ballpit";
-    for (const std::string& word : options.command_line) {
-        text += " " + word;
-    }
-    return text;
-}
-
 void print_header(const Sweep& sweep, std::ostream& out) {
     const measure::Reference& reference = sweep.reference();
     if (reference.usable()) {

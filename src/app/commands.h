@@ -10,6 +10,7 @@ int run_headless(const Options& options);
 int run_check(const Options& options);
 int run_bench(const Options& options);
 int run_accuracy(const Options& options);
+int run_extremes(const Options& options);
 int run_scenes();
 int run_ledger(const Options& options);
 int run_settings();

@@ -142,6 +142,19 @@ CLI::App* add_accuracy(CLI::App& app, Options& options) {
     return accuracy;
 }
 
+CLI::App* add_extremes(CLI::App& app, Options& options) {
+    CLI::App* extremes =
+        app.add_subcommand("extremes", "What happens at the end of every slider; exit code 1 where it must not");
+    extremes->add_option("--backend", options.backend, "What computes: auto, gpu, cpu or reference (double)")
+        ->check(CLI::IsMember({"auto", "gpu", "cpu", "reference"}))
+        ->capture_default_str();
+    extremes->add_option("--only", options.only, "Rows to run, such as E1,E7")->delimiter(',');
+    extremes->add_option("--markdown", options.markdown,
+                         "Table for the documentation to a file, or - for standard output");
+    extremes->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
+    return extremes;
+}
+
 CLI::App* add_scenes(CLI::App& app, Options& options) {
     CLI::App* scenes = app.add_subcommand("scenes", "List the scenes");
     auto* ledger = scenes->add_flag("--ledger", options.ledger,
@@ -169,6 +182,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         {add_check(app, options), Command::check},
         {add_bench(app, options), Command::bench},
         {add_accuracy(app, options), Command::accuracy},
+        {add_extremes(app, options), Command::extremes},
         {add_scenes(app, options), Command::scenes},
         {app.add_subcommand("settings", "List the settings: unit, range, default"), Command::settings},
     };
@@ -188,6 +202,14 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     options.scene_given = app.count("--scene") > 0;
     options.backend_given = app.count("--backend") > 0;
     return options;
+}
+
+std::string command_text(const Options& options) {
+    std::string text = "ballpit";
+    for (const std::string& word : options.command_line) {
+        text += " " + word;
+    }
+    return text;
 }
 
 }  // namespace ballpit::app

@@ -8,7 +8,7 @@
 
 namespace ballpit::app {
 
-enum class Command { window, headless, check, bench, accuracy, scenes, settings };
+enum class Command { window, headless, check, bench, accuracy, extremes, scenes, settings };
 
 struct Options {
     Command command = Command::window;
@@ -47,6 +47,10 @@ struct Options {
     std::vector<std::string> precision;  // float, compensated
     double limit = 20.0;                 // s of the wall clock, of one run
 
+    // extremes; backend may be reference, too
+    std::vector<std::string> only;  // rows, such as E7; empty: all
+    std::string markdown;
+
     // scenes
     bool ledger = false;
 
@@ -60,5 +64,8 @@ struct Options {
 /// Throws InputError for a command line that cannot be understood. Gives nothing where --help or --version was asked
 /// for and has been printed.
 std::optional<Options> parse_options(int argc, const char* const* argv);
+
+/// The command line as a report names it: "ballpit check --scene rain".
+std::string command_text(const Options& options);
 
 }  // namespace ballpit::app
