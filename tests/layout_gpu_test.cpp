@@ -58,7 +58,8 @@ private:
 
 TEST_CASE_METHOD(LayoutTest, "the uniform block of every shader has its binding", "[gpu-layout]") {
     for (const Shader shader : {Shader::assign_cells, Shader::bitonic_sort, Shader::bitonic_sort_fused,
-                                Shader::clear_cells, Shader::build_grid, Shader::collide}) {
+                                Shader::clear_cells, Shader::build_grid, Shader::count_missed, Shader::keep_places,
+                                Shader::collide}) {
         CAPTURE(shader_name(shader));
         CHECK(property(id_of(shader), GL_UNIFORM_BLOCK, "ParamsBlock", GL_BUFFER_BINDING) == BLOCK_PARAMS);
     }
@@ -73,6 +74,8 @@ TEST_CASE_METHOD(LayoutTest, "keys, ranges and status lie as in C++", "[gpu-layo
     CHECK(offset(assign, "status.not_finite") == offsetof(Status, not_finite));
     CHECK(offset(assign, "status.out_of_bounds") == offsetof(Status, out_of_bounds));
     CHECK(offset(assign, "status.over_capacity") == offsetof(Status, over_capacity));
+    CHECK(offset(assign, "status.missed") == offsetof(Status, missed));
+    CHECK(offset(assign, "status.drift_bits") == offsetof(Status, drift_bits));
     const GLuint build = id_of(Shader::build_grid);
     CHECK(offset(build, "cell_ranges[0].first") == offsetof(CellRange, first));
     CHECK(offset(build, "cell_ranges[0].end") == offsetof(CellRange, end));
@@ -104,11 +107,14 @@ TEST_CASE_METHOD(LayoutTest, "every block has its slot's binding", "[gpu-layout]
     CHECK(binding(id_of(Shader::bitonic_sort_fused), "KeysBlock") == SLOT_KEYS);
     CHECK(binding(id_of(Shader::clear_cells), "CellRangesBlock") == SLOT_CELL_RANGES);
     CHECK(binding(id_of(Shader::build_grid), "CellRangesBlock") == SLOT_CELL_RANGES);
+    CHECK(binding(id_of(Shader::count_missed), "BuiltPositionsBlock") == SLOT_BUILT_POSITIONS);
+    CHECK(binding(id_of(Shader::keep_places), "BuiltPositionsBlock") == SLOT_BUILT_POSITIONS);
 }
 
 TEST_CASE_METHOD(LayoutTest, "work groups have the sizes that the schedule counts with", "[gpu-layout]") {
     for (const Shader shader : {Shader::assign_cells, Shader::bitonic_sort, Shader::bitonic_sort_fused,
-                                Shader::clear_cells, Shader::build_grid, Shader::collide}) {
+                                Shader::clear_cells, Shader::build_grid, Shader::count_missed, Shader::keep_places,
+                                Shader::collide}) {
         std::array<GLint, 3> size{};
         glGetProgramiv(id_of(shader), GL_COMPUTE_WORK_GROUP_SIZE, size.data());
         CAPTURE(shader_name(shader));
@@ -122,6 +128,6 @@ TEST_CASE_METHOD(LayoutTest, "what OpenGL 4.3 guarantees is enough", "[gpu-layou
     CHECK(SORT_TILE_SIZE * sizeof(Key) <= 32768);  // GL_MAX_COMPUTE_SHARED_MEMORY_SIZE
     CHECK(SORT_GROUP_SIZE <= 1024);                // GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS
     CHECK(SLOT_COMPENSATIONS == 8);                // GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS; beyond, devices are asked
-    CHECK(SLOT_COUNT == 9);
+    CHECK(SLOT_COUNT == 10);
     CHECK(2 * SORT_GROUP_SIZE <= SORT_TILE_SIZE);
 }

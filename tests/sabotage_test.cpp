@@ -229,7 +229,9 @@ TEST_CASE("compare_slot finds keys exchanged, a range off by one, a status bit a
     ranges[1234].end += 1;
     CHECK(contains(compare(Slot::cell_ranges, ranges, s.ranges).first, "cell 1234: "));
     const std::vector<Status> clean{Status{}};
-    const std::vector<Status> dirty{Status{STATUS_OUT_OF_BOUNDS, 0, 1, 0}};
+    std::vector<Status> dirty{Status{}};
+    dirty.front().bits = STATUS_OUT_OF_BOUNDS;
+    dirty.front().out_of_bounds = 1;
     CHECK(compare(Slot::status, dirty, clean).beyond_bound == 1);
     keys = s.keys;
     keys.pop_back();

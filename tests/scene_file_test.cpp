@@ -147,13 +147,15 @@ TEST_CASE("a box that is shaken, diagnostics that are off", "[core]") {
 TEST_CASE("where the walls shall go, and how the stages are computed", "[core]") {
     const Scene scene = parse_scene(scene_with(R"("reference_count": 10 },)",
                                                R"("walls_low": [0, 0, 1], "walls_high": [-1, 0, 0], "wall_speed": 0.5 },
-                      "compute": { "sort": "bitonic", "cell_factor": 0.5, "neighbours": "brute_force" },)"),
+                      "compute": { "sort": "bitonic", "cell_factor": 0.5, "grid_reuse": 4,
+                                   "neighbours": "brute_force" },)"),
                                     "s.json");
     CHECK(scene.settings.walls_low == dvec3(0, 0, 1));
     CHECK(scene.settings.walls_high == dvec3(-1, 0, 0));
     CHECK(scene.settings.wall_speed == 0.5);
     CHECK(scene.settings.sort == SortMethod::bitonic);
     CHECK(scene.settings.cell_factor == 0.5);
+    CHECK(scene.settings.grid_reuse == 4);
     CHECK(scene.settings.neighbours == NeighbourSearch::brute_force);
 }
 
@@ -345,7 +347,7 @@ TEST_CASE("every bad value is refused in one sentence", "[core]") {
         Refusal{R"("time": {)", R"("compute": { "sort": "quick" }, "time": {)",
                 R"(s.json, /compute/sort: expected one of bitonic, bitonic_fused, found "quick")"},
         Refusal{R"("time": {)", R"("compute": { "neighbors": "grid" }, "time": {)",
-                "s.json, /compute: expected no other keys than sort, cell_factor, neighbours, found 'neighbors'"},
+                "s.json, /compute: expected no other keys than sort, cell_factor, grid_reuse, neighbours, found 'neighbors'"},
         Refusal{R"("time": {)", R"("bounds": { "overlap": 1 }, "time": {)",
                 "s.json, /bounds: expected a key 'speed', found none"},
         Refusal{R"("time": {)", R"("bounds": { "speed": -1 }, "time": {)",

@@ -120,6 +120,7 @@ TEST_CASE("whatever was changed before it was saved", "[keep]") {
         expect_same_bytes(everything, with([](Settings& s) {
                               s.sort = SortMethod::bitonic;
                               s.cell_factor = 0.6;
+                              s.grid_reuse = 3;
                               s.integrator = Integrator::velocity_verlet;
                           }));
     }

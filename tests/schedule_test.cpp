@@ -170,6 +170,8 @@ TEST_CASE("every dispatch has a thread for each ball, pair, slot and cell", "[co
                         CHECK(groups * GROUP_SIZE >= schedule.cell_count);
                         break;
                     case Shader::build_grid:
+                    case Shader::count_missed:
+                    case Shader::keep_places:
                     case Shader::collide:
                         CHECK(groups * GROUP_SIZE >= balls);
                         break;

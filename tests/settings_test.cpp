@@ -34,6 +34,7 @@ Settings unusual_settings() {
     s.integrator = Integrator::historical;
     s.sort = SortMethod::bitonic;
     s.cell_factor = 0.75;
+    s.grid_reuse = 64;
     return s;
 }
 

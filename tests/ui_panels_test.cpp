@@ -1,5 +1,6 @@
 // The panels as a user meets them: what can be read, and what every click asks for.
 #include <array>
+#include <bit>
 #include <set>
 #include <variant>
 
@@ -37,6 +38,7 @@ ui::State full_state() {
 
 std::string settings_text(test::HeadlessGui& gui, const ui::State& state) {
     return gui.text([&state] {
+        ImGui::GetStateStorage()->SetInt(ImGui::GetID("Computing"), 1);  // folded at first
         ui::Commands commands;
         ui::settings_panel(state, commands);
     });
@@ -69,6 +71,24 @@ TEST_CASE("every setting of a law that the scene has is on the panel, and no oth
         INFO(absent);
         CHECK_FALSE(contains(few, absent));
     }
+}
+
+TEST_CASE("where a grid is used again, the panel says how far balls go and how wide cells should be", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    state.largest_radius = 0.1;
+    state.cell_width = 0.21;
+    state.status.drift_bits = std::bit_cast<std::uint32_t>(0.0016f);  // m^2: 40 mm
+    CHECK_FALSE(contains(settings_text(gui, state), "while a grid was used"));
+    state.settings.grid_reuse = 4;
+    const std::string words = settings_text(gui, state);
+    CHECK(contains(words, "40 mm"));
+    CHECK(contains(words, "10 mm"));
+    CHECK(contains(words, "Cell factor 1.25"));
+    state.settings.cell_factor = 1.25;
+    CHECK_FALSE(contains(settings_text(gui, state), "Cell factor 1.25"));
+    state.has_grid = false;
+    CHECK_FALSE(contains(settings_text(gui, state), "while a grid was used"));
 }
 
 TEST_CASE("values show their units, and a changed one its way back", "[ui]") {
@@ -130,14 +150,23 @@ TEST_CASE("hidden panels leave only what went wrong", "[ui]") {
 
 TEST_CASE("a failure is told with its stage and its count", "[ui]") {
     CHECK(ui::failure_sentences({}).empty());
-    const Status all{STATUS_NOT_FINITE | STATUS_OUT_OF_BOUNDS | STATUS_OVER_CAPACITY, 1, 2000, 3};
+    Status all{};
+    all.bits = STATUS_NOT_FINITE | STATUS_OUT_OF_BOUNDS | STATUS_OVER_CAPACITY | STATUS_MISSED;
+    all.not_finite = 1;
+    all.out_of_bounds = 2000;
+    all.over_capacity = 3;
+    all.missed = 7;
+    all.drift_bits = std::bit_cast<std::uint32_t>(0.25f);  // m^2
     const auto sentences = ui::failure_sentences(all);
-    REQUIRE(sentences.size() == 3);
+    REQUIRE(sentences.size() == 4);
     CHECK(contains(sentences[0], "collide"));
     CHECK(contains(sentences[0], "1 time."));
     CHECK(contains(sentences[1], "assign_cells"));
     CHECK(contains(sentences[1], "2\u2009000 times"));
     CHECK(contains(sentences[2], "build_grid"));
+    CHECK(contains(sentences[3], "count_missed"));
+    CHECK(contains(sentences[3], "7 times"));
+    CHECK(contains(sentences[3], "500 mm"));
 }
 
 TEST_CASE("overlays say what they know", "[ui]") {

@@ -23,7 +23,8 @@
 #define SLOT_NEXT_POSITIONS 6     // as SLOT_POSITIONS, written by collide
 #define SLOT_NEXT_VELOCITIES 7    // as SLOT_VELOCITIES, written by collide
 #define SLOT_COMPENSATIONS 8      // Compensation a ball, only where sums are compensated
-#define SLOT_COUNT 9
+#define SLOT_BUILT_POSITIONS 9    // as SLOT_POSITIONS, when the grid was built; only where a grid is used more than once
+#define SLOT_COUNT 10
 
 // hash_state is no part of a substep; its ring of results takes the place of a slot that it does not read.
 #define BINDING_HASHES SLOT_KEYS  // HashSum an entry
@@ -69,6 +70,7 @@
 #define STATUS_NOT_FINITE 1u      // collide: a ball's new position or velocity is NaN or infinite
 #define STATUS_OUT_OF_BOUNDS 2u   // assign_cells: a ball's centre lies outside the box
 #define STATUS_OVER_CAPACITY 4u   // build_grid: a key names a cell or ball that has no room
+#define STATUS_MISSED 8u          // count_missed: balls touched that the grid before did not show to each other
 
 struct Key {
     uint cell_id;
@@ -103,4 +105,6 @@ struct Status {
     uint not_finite;              // balls seen, summed over substeps since the last reset
     uint out_of_bounds;
     uint over_capacity;
+    uint missed;                  // ends of such contacts: a pair that neither ball sees counts twice
+    uint drift_bits;              // the largest square (m^2) of a ball's way from one build to the next, as a float's bits
 };

@@ -15,6 +15,7 @@
 #include "app/setup.h"
 #include "app/shared_run.h"
 #include "core/error.h"
+#include "core/grid_reuse.h"
 #include "core/scene_writer.h"
 #include "measure/energy.h"
 #include "measure/stability.h"
@@ -79,6 +80,16 @@ Json totals_json(const measure::Totals& totals) {
             {"contacts", totals.contacts}};
 }
 
+// Where several substeps use one grid: how far balls went meanwhile, and how far they may.
+Json grid_json(const Simulation& simulation, const Status& status) {
+    const double radius = simulation.largest_ball_radius();
+    const double way = drift(status);
+    return {{"cell_width_m", simulation.schedule().grid.cell_width},
+            {"skin_m", skin(simulation.schedule().grid, radius)},
+            {"drift_m", way},
+            {"advised_cell_factor", cell_factor_for(way, radius)}};
+}
+
 Json make_report(Simulation& simulation, const BallState& state, double wall_ms) {
     const auto steps = static_cast<double>(simulation.step_count());
     Json report{{"scene", simulation.scene().name}, {"seed", simulation.seed()}};
@@ -90,7 +101,11 @@ Json make_report(Simulation& simulation, const BallState& state, double wall_ms)
     report["settings"] = settings_json(simulation);
     report["totals"] =
         totals_json(measure::totals_of(state, simulation.settings(), simulation.features(), simulation.box()));
-    report["status"] = status_json(read_slot<Status>(simulation.backend(), Slot::status).front());
+    const Status status = read_slot<Status>(simulation.backend(), Slot::status).front();
+    report["status"] = status_json(status);
+    if (simulation.schedule().keeps_places) {
+        report["grid"] = grid_json(simulation, status);
+    }
     report["overlapping_at_start"] = simulation.overlapping_at_start();
     report["state_hash"] = hash_text(hash_state(simulation.raw_state()));
     return report;

@@ -23,7 +23,8 @@ Json settings_json(const Simulation& simulation) {
 Json status_json(const Status& status) {
     return {{"not_finite", status.not_finite},
             {"out_of_bounds", status.out_of_bounds},
-            {"over_capacity", status.over_capacity}};
+            {"over_capacity", status.over_capacity},
+            {"missed", status.missed}};
 }
 
 std::string hash_text(std::uint64_t hash) {

@@ -205,7 +205,7 @@ void Session::look_from(bool behind) {
 ui::Place Session::place() const {
     const Position now = stepper_->position();
     if (behind_) {
-        return {*behind_, static_cast<std::uint32_t>(stepper_->schedule().dispatches.size())};
+        return {*behind_, static_cast<std::uint32_t>(stepper_->schedule_behind().dispatches.size())};
     }
     return {now.moment, now.dispatch};
 }
@@ -299,9 +299,12 @@ void Session::prepare_cells() {
     }
     Backend& backend = simulation_->backend();
     const Bytes status = backend.read(Slot::status);
-    const auto collide =
-        std::ranges::find_if(schedule.dispatches, [](const Dispatch& d) { return d.stage == Stage::collide; });
-    backend.run(schedule, simulation_->params(), 0, static_cast<std::size_t>(collide - schedule.dispatches.begin()));
+    const auto built = std::ranges::find_if(
+        schedule.dispatches, [](const Dispatch& d) { return d.program.shader == Shader::build_grid; });
+    if (built == schedule.dispatches.end()) {
+        return;  // the grid that is there is the one that will be used
+    }
+    backend.run(schedule, simulation_->params(), 0, static_cast<std::size_t>(built - schedule.dispatches.begin()) + 1);
     backend.write(Slot::status, status);  // looking is no substep: what it counted does not count
     cells_ready_ = true;
     ++revision_;
@@ -329,6 +332,7 @@ void Session::describe(ui::State& state) const {
     state.backend_name = simulation.backend().name();
     state.has_grid = simulation.schedule().cell_count > 0;
     state.cell_width = simulation.schedule().grid.cell_width;
+    state.largest_radius = simulation.largest_ball_radius();
 }
 
 void Session::describe(ui::SteppingState& state) const {
@@ -338,7 +342,7 @@ void Session::describe(ui::SteppingState& state) const {
     state.substeps = state.place.substep.step < now.moment.step
                          ? timeline.substeps_of(state.place.substep.step)
                          : std::max(simulation_->settings().substeps, state.place.substep.substep + 1);
-    state.schedule = &stepper_->schedule();
+    state.schedule = behind_ ? &stepper_->schedule_behind() : &stepper_->schedule();
     state.first_step = timeline.start().step;
     state.furthest_step = furthest_step_;
     state.hash_step = now.moment.step;

@@ -31,6 +31,8 @@ measure::StageNumbers numbers_of(const Inspector& inspector, const ui::SteppingS
         case Shader::clear_cells:
             return measure::ClearNumbers{schedule.cell_count};
         case Shader::build_grid:
+        case Shader::count_missed:
+        case Shader::keep_places:
             return measure::build_numbers(copy_of<CellRange>(inspector, Slot::cell_ranges));
         case Shader::collide:
             if (schedule.in_place) {
@@ -64,6 +66,8 @@ void StageNumbersReader::ask(Inspector& inspector, const ui::SteppingState& step
         case Shader::clear_cells:
             break;
         case Shader::build_grid:
+        case Shader::count_missed:
+        case Shader::keep_places:
             inspector.want(Slot::cell_ranges);
             break;
         case Shader::collide:

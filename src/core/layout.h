@@ -13,7 +13,7 @@ using uvec3 = glm::uvec3;
 
 #include "shared/layout.h"
 
-static_assert(sizeof(Key) == 8 && sizeof(CellRange) == 8 && sizeof(Status) == 16 && sizeof(HashSum) == 8 &&
+static_assert(sizeof(Key) == 8 && sizeof(CellRange) == 8 && sizeof(Status) == 24 && sizeof(HashSum) == 8 &&
               sizeof(Compensation) == 24);
 
 }  // namespace ballpit::layout

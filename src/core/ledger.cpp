@@ -39,6 +39,7 @@ std::array<std::size_t, slot_count> bytes_of(const Schedule& schedule) {
         schedule.features.has(Feature::ball_restitution) ? schedule.ball_count * sizeof(float) : 0;
     of(Slot::compensations) =
         schedule.features.has(Feature::compensated) ? schedule.ball_count * sizeof(Compensation) : 0;
+    of(Slot::built_positions) = schedule.keeps_places ? state : 0;
     of(Slot::keys) = schedule.key_count * sizeof(Key);
     of(Slot::cell_ranges) = schedule.cell_count * sizeof(CellRange);
     of(Slot::status) = sizeof(Status);

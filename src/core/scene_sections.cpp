@@ -72,6 +72,12 @@ void read_shake(const JsonValue& shake, Settings& settings) {
     settings.shake_frequency = read_setting(shake.required("frequency"), "shake_frequency");
 }
 
+std::uint32_t read_whole_setting(const JsonValue& value, std::string_view key) {
+    const auto number = static_cast<std::uint32_t>(value.whole_number(std::numeric_limits<std::uint32_t>::max()));
+    check_range(setting(key), number, value.place());
+    return number;
+}
+
 dvec3 read_shift(const JsonValue& value) { return value.vector_between(-largest_length, largest_length, "m"); }
 
 }  // namespace
@@ -134,9 +140,7 @@ void read_time(const JsonValue& time, Scene& scene) {
         settings.dt = read_setting(*dt, "dt");
     }
     if (const auto substeps = time.optional("substeps")) {
-        settings.substeps =
-            static_cast<std::uint32_t>(substeps->whole_number(std::numeric_limits<std::uint32_t>::max()));
-        check_range(setting("substeps"), settings.substeps, substeps->place());
+        settings.substeps = read_whole_setting(*substeps, "substeps");
     }
     if (const auto integrator = time.optional("integrator")) {
         settings.integrator = read_choice<Integrator>(*integrator, integrator_names);
@@ -144,12 +148,15 @@ void read_time(const JsonValue& time, Scene& scene) {
 }
 
 void read_compute(const JsonValue& compute, Scene& scene) {
-    compute.expect_object({"sort", "cell_factor", "neighbours"});
+    compute.expect_object({"sort", "cell_factor", "grid_reuse", "neighbours"});
     if (const auto sort = compute.optional("sort")) {
         scene.settings.sort = read_choice<SortMethod>(*sort, sort_names);
     }
     if (const auto cell_factor = compute.optional("cell_factor")) {
         scene.settings.cell_factor = read_setting(*cell_factor, "cell_factor");
+    }
+    if (const auto reuse = compute.optional("grid_reuse")) {
+        scene.settings.grid_reuse = read_whole_setting(*reuse, "grid_reuse");
     }
     if (const auto neighbours = compute.optional("neighbours")) {
         scene.settings.neighbours = read_choice<NeighbourSearch>(*neighbours, neighbour_search_names);

@@ -86,6 +86,9 @@ Json compute_json(const Settings& settings) {
     if (settings.cell_factor != usual.cell_factor) {
         compute["cell_factor"] = settings.cell_factor;
     }
+    if (settings.grid_reuse != usual.grid_reuse) {
+        compute["grid_reuse"] = settings.grid_reuse;
+    }
     if (settings.neighbours != usual.neighbours) {
         compute["neighbours"] = neighbour_search_names.at(static_cast<std::size_t>(settings.neighbours));
     }

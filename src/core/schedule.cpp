@@ -21,9 +21,14 @@ Features relevant(Shader shader, Features features) {
         case Shader::build_grid:
             seen.add(Feature::diagnostics, features.has(Feature::diagnostics));
             break;
+        case Shader::count_missed:
+            seen.add(Feature::diagnostics, features.has(Feature::diagnostics));
+            seen.add(Feature::unequal_radii, features.has(Feature::unequal_radii));
+            break;
         case Shader::bitonic_sort:
         case Shader::bitonic_sort_fused:
         case Shader::clear_cells:
+        case Shader::keep_places:
             break;
     }
     return seen;
@@ -103,6 +108,15 @@ struct Builder {
                       {Slot::keys}, {Slot::cell_ranges});
     }
 
+    // Both ask or tell where balls were when a grid was built: before the first look, then for the next one.
+    void count_missed() const {
+        const Groups groups = groups_for(schedule.ball_count, GROUP_SIZE);
+        add_diagnosed(Stage::build_grid, "count_missed", Shader::count_missed, groups,
+                      {Slot::positions, Slot::keys, Slot::cell_ranges, Slot::built_positions}, {});
+        add(Stage::build_grid, "keep_places", Shader::keep_places, groups, {}, {Slot::positions},
+            {Slot::built_positions});
+    }
+
     void collide() const {
         std::vector<Slot> reads{Slot::positions, Slot::velocities};
         if (needs_grid(schedule.features)) {
@@ -132,7 +146,8 @@ Groups groups_for(std::uint32_t invocations, std::uint32_t group_size) {
     return {FOLDED_WIDTH, (groups + FOLDED_WIDTH - 1) / FOLDED_WIDTH};
 }
 
-Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort) {
+Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort,
+                       std::uint32_t grid_reuse) {
     Schedule schedule;
     schedule.features = features;
     schedule.grid = grid;
@@ -146,8 +161,17 @@ Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features feat
         schedule.key_count = std::bit_ceil(ball_count);
         schedule.cell_count = grid.cell_count();
         builder.build_neighbour_grid(sort);
+        schedule.keeps_places = grid_reuse > 1 && features.has(Feature::diagnostics);
+        if (schedule.keeps_places) {
+            builder.count_missed();
+        }
     }
     builder.collide();
+    return schedule;
+}
+
+Schedule with_grid_reused(Schedule schedule) {
+    std::erase_if(schedule.dispatches, [](const Dispatch& dispatch) { return dispatch.stage != Stage::collide; });
     return schedule;
 }
 

@@ -22,9 +22,19 @@ inline constexpr std::size_t stage_count = stage_names.size();
 constexpr std::string_view stage_name(Stage stage) { return stage_names[static_cast<std::size_t>(stage)]; }
 
 /// Shader files glsl/<name>.comp, each with a mirror src/cpu/<name>.cpp.
-enum class Shader : std::uint8_t { assign_cells, bitonic_sort, bitonic_sort_fused, clear_cells, build_grid, collide };
-inline constexpr std::array<std::string_view, 6> shader_names = {"assign_cells", "bitonic_sort", "bitonic_sort_fused",
-                                                                 "clear_cells",  "build_grid",   "collide"};
+enum class Shader : std::uint8_t {
+    assign_cells,
+    bitonic_sort,
+    bitonic_sort_fused,
+    clear_cells,
+    build_grid,
+    count_missed,
+    keep_places,
+    collide
+};
+inline constexpr std::array<std::string_view, 8> shader_names = {"assign_cells", "bitonic_sort", "bitonic_sort_fused",
+                                                                 "clear_cells",  "build_grid",   "count_missed",
+                                                                 "keep_places",  "collide"};
 constexpr std::string_view shader_name(Shader shader) { return shader_names[static_cast<std::size_t>(shader)]; }
 
 /// The buffers, by the role they play in a substep; the values are their bindings.
@@ -38,11 +48,12 @@ enum class Slot : std::uint8_t {
     next_positions = SLOT_NEXT_POSITIONS,
     next_velocities = SLOT_NEXT_VELOCITIES,
     compensations = SLOT_COMPENSATIONS,
+    built_positions = SLOT_BUILT_POSITIONS,
 };
 inline constexpr std::size_t slot_count = SLOT_COUNT;
 inline constexpr std::array<std::string_view, slot_count> slot_names = {
     "positions", "velocities",     "damping_ratios",  "keys",         "cell_ranges",
-    "status",    "next_positions", "next_velocities", "compensations"};
+    "status",    "next_positions", "next_velocities", "compensations", "built_positions"};
 constexpr std::string_view slot_name(Slot slot) { return slot_names[static_cast<std::size_t>(slot)]; }
 
 /// A program is a shader and the features it is compiled with.
@@ -79,6 +90,7 @@ struct Schedule {
     std::uint32_t key_count = 0;  // 0 where no grid is needed
     std::uint32_t cell_count = 0;
     bool in_place = false;  // no ball looks at another: one state buffer will do, nothing is written to next_*
+    bool keeps_places = false;  // where balls were when the grid was built is kept, to tell what a used grid misses
 };
 
 /// Groups that cover this many invocations of groups of `group_size`.
@@ -86,6 +98,12 @@ Groups groups_for(std::uint32_t invocations, std::uint32_t group_size);
 
 /// The dispatches of a substep. No balls: an empty list. No contact law, or brute force: a single `collide`, no grid.
 /// Without the contact law it works in place.
-Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort);
+/// `grid_reuse`: how many substeps use one grid; from two on a build also counts what the grid before did not show, with
+/// diagnostics.
+Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort,
+                       std::uint32_t grid_reuse = 1);
+
+/// The substep that uses the grid of an earlier one: `schedule` without what builds it. Without a grid: the same.
+Schedule with_grid_reused(Schedule schedule);
 
 }  // namespace ballpit

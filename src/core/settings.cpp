@@ -25,7 +25,7 @@ constexpr Needs walls{&Laws::walls};
 constexpr Needs shake{&Laws::shake};
 constexpr Needs contact_or_walls{&Laws::contact, &Laws::walls};
 
-constexpr std::array<SettingInfo, 19> table = {{
+constexpr std::array<SettingInfo, 20> table = {{
     {"balls", "Balls", "", 0, maximum_balls, true, always,
      "How many balls; those that stay keep their motion when the number changes.", &Settings::balls},
     {"gravity", "Gravity", "m/s^2", -100, 100, false, gravity, "Acceleration of every ball as x,y,z; z is up.",
@@ -49,6 +49,9 @@ constexpr std::array<SettingInfo, 19> table = {{
     {"cell_factor", "Cell factor", "", 0.25, 8, true, contact,
      "Cell width over the largest diameter; below 1 the grid misses pairs, which is there to be shown.",
      &Settings::cell_factor},
+    {"grid_reuse", "Grid reuse", "", 1, 64, true, contact,
+     "How many substeps use one grid; each step builds its own. Cells must be wider by the way that balls go meanwhile.",
+     &Settings::grid_reuse},
     {"neighbours", "Neighbours", "", 0, 0, false, contact,
      "Whether a ball looks for its neighbours in the cells around it, or asks every other ball.",
      &Settings::neighbours},

@@ -42,6 +42,7 @@ struct Settings {
     Integrator integrator = Integrator::leapfrog;
     SortMethod sort = SortMethod::bitonic_fused;
     double cell_factor = 1.0;
+    std::uint32_t grid_reuse = 1;
     NeighbourSearch neighbours = NeighbourSearch::grid;
     dvec3 walls_low{0.0};                  // m, where the lower walls shall stand, from where the scene has them
     dvec3 walls_high{0.0};                 // m, the same for the upper walls

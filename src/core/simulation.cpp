@@ -77,6 +77,8 @@ Features Simulation::wanted_features(const Settings& settings) const {
 void Simulation::set_schedule(std::uint32_t ball_count) {
     schedule_ =
         scene_schedule(run_.settings, run_.scene_box, run_.walls, run_.largest_radius, run_.variety, ball_count);
+    reused_schedule_ = with_grid_reused(schedule_);
+    run_.grid_age = 0;
     ++schedule_changes_;
 }
 
@@ -139,18 +141,26 @@ void Simulation::end_substep() {
     run_.velocity_lag =
         substep_motion(run_.settings.integrator, drag(run_.settings), substep_dt(run_.settings), run_.velocity_lag)
             .lag_after;
+    age_grid();
     advance_walls();
     ++run_.substeps_since_base;
     ++run_.substep;
     if (run_.substep >= run_.settings.substeps) {  // more than, where the number was lowered within the step
         run_.substep = 0;
+        run_.grid_age = 0;
         ++run_.step_count;
+    }
+}
+
+void Simulation::age_grid() {
+    if (schedule_.key_count > 0) {
+        run_.grid_age = (run_.grid_age + 1) % run_.settings.grid_reuse;
     }
 }
 
 void Simulation::substep() {
     begin_substep();
-    backend_->run(schedule_, params(), 0, schedule_.dispatches.size());
+    backend_->run(schedule(), params(), 0, schedule().dispatches.size());
     end_substep();
 }
 
@@ -161,7 +171,11 @@ void Simulation::step() {
     }
 }
 
-Checkpoint Simulation::checkpoint() { return {backend_->save(), run_}; }
+Checkpoint Simulation::checkpoint() {
+    Checkpoint checkpoint{backend_->save(), run_};
+    checkpoint.run.grid_age = 0;  // keys and cells are not kept
+    return checkpoint;
+}
 
 void Simulation::restore(const Checkpoint& checkpoint) {
     run_ = checkpoint.run;
@@ -220,6 +234,7 @@ void Simulation::change(const Settings& wanted) {
     }
     rebase_clock();
     const bool other_schedule = wanted.sort != run_.settings.sort || wanted.cell_factor != run_.settings.cell_factor ||
+                                wanted.grid_reuse != run_.settings.grid_reuse ||
                                 wanted.walls_low != run_.settings.walls_low ||
                                 wanted.walls_high != run_.settings.walls_high;
     run_.settings = wanted;
@@ -256,11 +271,13 @@ void Simulation::apply(const Change& change) {
     } else {
         add(std::get<AddBalls>(change));
     }
+    run_.grid_age = 0;  // also where a slider came back to where it was: a replay does not know that it had moved
 }
 
 void Simulation::use(std::unique_ptr<Backend> backend) {
     load_backend(*backend, raw_state());
     backend_ = std::move(backend);
+    run_.grid_age = 0;
     interrupt_meters();
 }
 
@@ -289,13 +306,15 @@ void Simulation::run_aside(const SubstepParams<double>& params, const std::funct
     const auto before = schedule_.in_place ? backend_->save() : nullptr;
     const Bytes status = backend_->read(Slot::status);
     const Bytes compensations = backend_->read(Slot::compensations);
-    backend_->run(schedule_, params, 0, schedule_.dispatches.size());
+    const Bytes built_positions = backend_->read(Slot::built_positions);
+    backend_->run(schedule(), params, 0, schedule().dispatches.size());
     look();
     if (before != nullptr) {
         backend_->restore(*before, schedule_);
     } else {
         backend_->write(Slot::status, status);  // what was counted and left out aside does not count
         backend_->write(Slot::compensations, compensations);
+        backend_->write(Slot::built_positions, built_positions);
     }
 }
 

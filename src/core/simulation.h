@@ -27,6 +27,7 @@ struct RunState {
     std::uint32_t added = 0;           // balls beyond those of the scene
     std::uint64_t step_count = 0;      // whole steps since the start
     std::uint32_t substep = 0;         // substeps of the current step that have run
+    std::uint32_t grid_age = 0;        // substeps that have used the grid; 0: the next one builds it
     std::uint64_t substeps_since_base = 0;
     double time_base = 0.0;  // s, when dt last changed
 };
@@ -63,8 +64,10 @@ public:
     void substep();
 
     /// A substep in parts, for whoever looks between the dispatches: run [first, last) of schedule()
-    /// with params(), then end.
-    const Schedule& schedule() const { return schedule_; }
+    /// with params(), then end. What the present substep runs: most have the same list, but where a grid is used more
+    /// than once only every so many substeps build it.
+    const Schedule& schedule() const { return builds_grid() ? schedule_ : reused_schedule_; }
+    bool builds_grid() const { return run_.grid_age == 0; }
     SubstepParams<double> params() const;
     void begin_substep();
     void end_substep();
@@ -82,7 +85,8 @@ public:
     /// The next substep of the present balls as it would be with other settings of the same count; nothing changes.
     Plan plan(const Settings& settings) const;
 
-    /// At the start of a substep. The checkpoint belongs to this backend and scene.
+    /// At the start of a substep. What goes on from it builds its grid first, as every step and what follows a change do.
+    /// The checkpoint belongs to this backend and scene.
     Checkpoint checkpoint();
     void restore(const Checkpoint& checkpoint);
 
@@ -139,6 +143,7 @@ private:
     Walls walls(const Settings& settings) const;
     SubstepParams<double> params_for(const Settings& settings, const Schedule& schedule, const Variety& variety) const;
     void advance_walls();
+    void age_grid();
     void rebase_clock();
     static double substep_dt(const Settings& settings) { return settings.dt / settings.substeps; }
     static double drag(const Settings& settings) { return settings.laws.drag ? settings.drag : 0.0; }
@@ -152,6 +157,7 @@ private:
     std::uint64_t seed_ = 0;
     std::unique_ptr<Backend> backend_;
     Schedule schedule_;
+    Schedule reused_schedule_;
     std::uint64_t schedule_changes_ = 0;
     RunState run_;
     bool metering_ = false;

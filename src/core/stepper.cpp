@@ -16,7 +16,8 @@ std::uint64_t tag_of(std::uint64_t epoch, std::uint64_t step) { return epoch << 
 // Of a checkpoint, nearly: what grows with the balls.
 std::size_t saved_bytes(const Schedule& schedule) {
     const bool compensated = schedule.features.has(Feature::compensated);
-    return schedule.ball_count * (2 * sizeof(vec4) + (compensated ? sizeof(Compensation) : 0));
+    const std::size_t vectors = schedule.keeps_places ? 3 : 2;
+    return schedule.ball_count * (vectors * sizeof(vec4) + (compensated ? sizeof(Compensation) : 0));
 }
 
 std::optional<std::uint32_t> first_difference(const BallState& a, const BallState& b) {
@@ -60,13 +61,15 @@ void Stepper::change(const Change& change) {
     timeline_.add(moment(), simulation_.checkpoint());
 }
 
-const Schedule& Stepper::schedule() {
+const Schedule& Stepper::schedule_of(bool builds_grid) {
     if (!schedule_ || schedule_change_ != simulation_.schedule_changes()) {
         const Schedule& running = simulation_.schedule();
         schedule_change_ = simulation_.schedule_changes();
-        schedule_ = make_schedule(running.ball_count, running.grid, running.features, SortMethod::bitonic);
+        schedule_ = make_schedule(running.ball_count, running.grid, running.features, SortMethod::bitonic,
+                                  simulation_.settings().grid_reuse);
+        reused_schedule_ = with_grid_reused(*schedule_);
     }
-    return *schedule_;
+    return builds_grid ? *schedule_ : reused_schedule_;
 }
 
 void Stepper::run_dispatches(std::uint32_t last) {
@@ -81,6 +84,7 @@ void Stepper::run_dispatches(std::uint32_t last) {
     dispatch_ = last;
     if (dispatch_ == dispatches()) {
         const Moment before = moment();
+        behind_built_grid_ = simulation_.builds_grid();
         simulation_.end_substep();
         arrive(before.step, before.substep);
     }
@@ -92,6 +96,7 @@ void Stepper::finish_substep() {
         return;
     }
     const Moment before = moment();
+    behind_built_grid_ = simulation_.builds_grid();
     simulation_.substep();
     arrive(before.step, before.substep);
 }

@@ -8,7 +8,12 @@
 
 namespace ballpit {
 
-// Without the law that keeps compensations no shader wants more than what is guaranteed, so it is the one to name.
+// Beyond what is guaranteed are only the slots of two options, so it is one of them that can be given up.
+static std::string remedy(Slot last) {
+    return last == Slot::built_positions ? "set grid_reuse (Grid reuse) to 1"
+                                         : "switch off the law 'compensated' (Compensated sums)";
+}
+
 void expect_storage(const Schedule& schedule, const StorageLimits& limits) {
     for (const Dispatch& dispatch : schedule.dispatches) {
         std::set<Slot> slots(dispatch.reads.begin(), dispatch.reads.end());
@@ -22,7 +27,7 @@ void expect_storage(const Schedule& schedule, const StorageLimits& limits) {
         if (slots.size() > limits.blocks || last >= limits.bindings) {
             throw DeviceError(dispatch.name + " would need " + std::to_string(wanted) +
                               " buffers at once, the device allows " + std::to_string(allowed) +
-                              " a shader: switch off the law 'compensated' (Compensated sums)");
+                              " a shader: " + remedy(*slots.rbegin()));
         }
     }
 }

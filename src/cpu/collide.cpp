@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cpu/assign_cells.h"
+#include "cpu/neighbours.h"
 
 namespace ballpit::cpu {
 
@@ -178,30 +178,8 @@ struct Collider {
 
 template <class Real>
 void Collider<Real>::add_neighbours(const Ball<Real>& a, Vec3<Real>& force) const {
-    if (features.has(Feature::brute_force)) {
-        for (std::uint32_t id = 0; id < params.ball_count; ++id) {
-            if (id != a.id) {
-                add_pair(a, id, force);
-            }
-        }
-        return;
-    }
-    const uvec3 middle = cell_coordinates(params, a.position);
-    const uvec3 low = middle - glm::min(middle, uvec3(1));
-    const uvec3 high = glm::min(middle + 1u, params.grid_cells - 1u);
-    for (std::uint32_t z = low.z; z <= high.z; ++z) {
-        for (std::uint32_t y = low.y; y <= high.y; ++y) {
-            for (std::uint32_t x = low.x; x <= high.x; ++x) {
-                const CellRange range = in.cell_ranges[(z * params.grid_cells.y + y) * params.grid_cells.x + x];
-                for (std::uint32_t slot = range.first; slot < range.end; ++slot) {
-                    const std::uint32_t id = in.keys[slot].ball_id;
-                    if (id != a.id) {
-                        add_pair(a, id, force);
-                    }
-                }
-            }
-        }
-    }
+    for_each_neighbour(params, features, in.keys, in.cell_ranges, a.position, a.id,
+                       [&](std::uint32_t other) { add_pair(a, other, force); });
 }
 
 template <class Real>

@@ -12,6 +12,8 @@
 #include "cpu/bitonic_sort_fused.h"
 #include "cpu/build_grid.h"
 #include "cpu/clear_cells.h"
+#include "cpu/count_missed.h"
+#include "cpu/keep_places.h"
 #include "cpu/meter.h"
 
 namespace ballpit::cpu {
@@ -67,13 +69,14 @@ struct CpuState final : SavedState {
     using SavedState::SavedState;
     std::size_t bytes() const override {
         return (positions.size() + velocities.size()) * sizeof(Vec4<Real>) + left_out.size() * sizeof(LeftOut<Real>) +
-               damping_ratios.size() * sizeof(Real);
+               damping_ratios.size() * sizeof(Real) + built_positions.size() * sizeof(Vec4<Real>);
     }
 
     std::vector<Vec4<Real>> positions;
     std::vector<Vec4<Real>> velocities;
     std::vector<LeftOut<Real>> left_out;
     std::vector<Real> damping_ratios;
+    std::vector<Vec4<Real>> built_positions;
     Status status{};
 };
 
@@ -134,6 +137,7 @@ void CpuBackend<Real>::reschedule(const Schedule& schedule) {
     assert(schedule.in_place == next_positions_.empty() || schedule.ball_count == 0);
     keys_.assign(schedule.key_count, Key{SENTINEL, SENTINEL});
     cell_ranges_.assign(schedule.cell_count, CellRange{0, 0});
+    built_positions_ = schedule.keeps_places ? positions_ : std::vector<Vec4<Real>>();
 }
 
 template <class Real>
@@ -152,6 +156,10 @@ void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParam
             return clear_cells(cell_ranges_);
         case Shader::build_grid:
             return build_grid(std::span(keys_).first(params.ball_count), cell_ranges_, status);
+        case Shader::count_missed:
+            return count_missed<Real>(params, features, positions_, built_positions_, keys_, cell_ranges_, status);
+        case Shader::keep_places:
+            return keep_places<Real>(positions_, built_positions_);
         case Shader::collide: {
             const bool in_place = !features.has(Feature::contact);
             return collide<Real>(params, features, {positions_, velocities_, damping_ratios_, keys_, cell_ranges_},
@@ -190,6 +198,7 @@ std::unique_ptr<SavedState> CpuBackend<Real>::save() {
     state->velocities = velocities_;
     state->left_out = left_out_;
     state->damping_ratios = damping_ratios_;
+    state->built_positions = built_positions_;
     state->status = status_;
     return state;
 }
@@ -205,6 +214,9 @@ void CpuBackend<Real>::restore(const SavedState& state, const Schedule& schedule
     status_ = saved.status;
     make_next(schedule);
     reschedule(schedule);
+    if (built_positions_.size() == saved.built_positions.size()) {  // saved under a schedule that keeps them, too
+        built_positions_ = saved.built_positions;
+    }
 }
 
 template <class Real>
@@ -258,6 +270,8 @@ Bytes CpuBackend<Real>::read(Slot slot) {
             return bytes_of<Status>({&status_, 1});
         case Slot::compensations:
             return compensation_bytes(left_out_);
+        case Slot::built_positions:
+            return converted_bytes<vec4>(built_positions_);
     }
     return {};
 }
@@ -286,6 +300,8 @@ void CpuBackend<Real>::write(Slot slot, std::span<const std::byte> bytes) {
         case Slot::compensations:
             std::ranges::transform(typed<Compensation>(bytes), left_out_.begin(), left_out_of<Real>);
             return;
+        case Slot::built_positions:
+            return overwrite_converted<vec4>(built_positions_, bytes);
     }
 }
 

@@ -61,6 +61,7 @@ private:
     std::vector<Real> damping_ratios_;
     std::vector<Key> keys_;
     std::vector<CellRange> cell_ranges_;
+    std::vector<Vec4<Real>> built_positions_;
     Status status_{};
     std::array<std::optional<Bytes>, slot_count> requested_;
     std::vector<TaggedHash> hashes_;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "cpu/assign_cells.h"
+#include "cpu/neighbours.h"
 
 namespace ballpit::cpu {
 
@@ -121,29 +121,8 @@ struct Meter {
     }
 
     void add_neighbours(const Ball& a, Held& held) {
-        if (features.has(Feature::brute_force)) {
-            for (std::uint32_t id = 0; id < params.ball_count; ++id) {
-                if (id != a.id) {
-                    add_pair(a, id, held);
-                }
-            }
-            return;
-        }
-        const uvec3 middle = cell_coordinates(params, Vec3<Real>(in.positions[a.id]));
-        const uvec3 low = middle - glm::min(middle, uvec3(1));
-        const uvec3 high = glm::min(middle + 1u, params.grid_cells - 1u);
-        for (std::uint32_t z = low.z; z <= high.z; ++z) {
-            for (std::uint32_t y = low.y; y <= high.y; ++y) {
-                for (std::uint32_t x = low.x; x <= high.x; ++x) {
-                    const CellRange range = in.cell_ranges[(z * params.grid_cells.y + y) * params.grid_cells.x + x];
-                    for (std::uint32_t slot = range.first; slot < range.end; ++slot) {
-                        if (in.keys[slot].ball_id != a.id) {
-                            add_pair(a, in.keys[slot].ball_id, held);
-                        }
-                    }
-                }
-            }
-        }
+        for_each_neighbour(params, features, in.keys, in.cell_ranges, Vec3<Real>(in.positions[a.id]), a.id,
+                           [&](std::uint32_t other) { add_pair(a, other, held); });
     }
 
     // One of the six walls: normal into the box along `axis` with `side` 1 (lower) or -1.

@@ -22,7 +22,7 @@ constexpr std::array saved_slots = {Slot::positions, Slot::velocities, Slot::com
 struct GpuState final : SavedState {
     using SavedState::SavedState;
     std::size_t bytes() const override {
-        std::size_t sum = 0;
+        std::size_t sum = built_positions.size();
         for (const gl::Buffer& buffer : buffers) {
             sum += buffer.size();
         }
@@ -30,6 +30,7 @@ struct GpuState final : SavedState {
     }
 
     std::array<gl::Buffer, saved_slots.size()> buffers;
+    gl::Buffer built_positions;
 };
 
 std::string gl_text(GLenum name) {
@@ -91,7 +92,6 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     }
     const std::vector<float> ratios = damping_ratios_of(state.restitutions, limit_force);
     reserve(Slot::damping_ratios, ratios.size() * sizeof(float));
-    reschedule(schedule);
     const Status clean{};
     write(Slot::positions, std::as_bytes(std::span(state.positions)));
     write(Slot::velocities, std::as_bytes(std::span(state.velocities)));
@@ -105,6 +105,7 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     compensations.resize(bytes[static_cast<std::size_t>(Slot::compensations)] / sizeof(Compensation));
     write(Slot::compensations, std::as_bytes(std::span(compensations)));
     write(Slot::status, std::as_bytes(std::span(&clean, 1)));
+    reschedule(schedule);
 }
 
 void GpuBackend::reschedule(const Schedule& schedule) {
@@ -117,6 +118,12 @@ void GpuBackend::reschedule(const Schedule& schedule) {
     write(Slot::keys, std::as_bytes(std::span<const Key>(std::vector(schedule.key_count, Key{SENTINEL, SENTINEL}))));
     write(Slot::cell_ranges,
           std::as_bytes(std::span<const CellRange>(std::vector(schedule.cell_count, CellRange{0, 0}))));
+    reserve(Slot::built_positions, bytes[static_cast<std::size_t>(Slot::built_positions)]);
+    if (schedule.keeps_places) {  // nothing has moved since a grid that was never built
+        use(Slot::positions, Use::copy);
+        use(Slot::built_positions, Use::copy);
+        gl::copy(buffer(Slot::positions), buffer(Slot::built_positions), used_bytes_[physical(Slot::positions)]);
+    }
     for (const Dispatch& dispatch : schedule.dispatches) {
         programs_->get(dispatch.program);  // compile now, so that no substep waits for it
     }
@@ -177,15 +184,18 @@ void GpuBackend::swap_states() { hazards_.swap_states(); }
 std::unique_ptr<SavedState> GpuBackend::save() {
     auto state =
         std::make_unique<GpuState>(static_cast<std::uint32_t>(used_bytes_[physical(Slot::positions)] / sizeof(vec4)));
-    for (std::size_t i = 0; i < saved_slots.size(); ++i) {
-        const Slot slot = saved_slots[i];
+    const auto copied = [this](Slot slot) {
         const std::size_t bytes = used_bytes_[physical(slot)];
-        if (bytes != 0) {
-            use(slot, Use::copy);
-            state->buffers[i] = gl::Buffer(slot_name(slot), bytes);
-            gl::copy(buffer(slot), state->buffers[i], bytes);
+        if (bytes == 0) {
+            return gl::Buffer();
         }
-    }
+        use(slot, Use::copy);
+        gl::Buffer copy(slot_name(slot), bytes);
+        gl::copy(buffer(slot), copy, bytes);
+        return copy;
+    };
+    std::ranges::transform(saved_slots, state->buffers.begin(), copied);
+    state->built_positions = copied(Slot::built_positions);
     return state;
 }
 
@@ -211,6 +221,9 @@ void GpuBackend::restore(const SavedState& state, const Schedule& schedule) {
     fill(Slot::next_positions, schedule.in_place ? none : saved.buffers[0]);  // as load() leaves them
     fill(Slot::next_velocities, schedule.in_place ? none : saved.buffers[1]);
     reschedule(schedule);
+    if (used_bytes_[physical(Slot::built_positions)] == saved.built_positions.size()) {  // the same schedule
+        fill(Slot::built_positions, saved.built_positions);
+    }
 }
 
 void GpuBackend::request_hash(std::uint64_t tag) {

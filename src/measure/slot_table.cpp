@@ -25,8 +25,12 @@ constexpr std::array<SlotColumn, 6> compensation_columns = {{{"x", "m", true},
                                                              {"vx", "m/s", true},
                                                              {"vy", "m/s", true},
                                                              {"vz", "m/s", true}}};
-constexpr std::array<SlotColumn, 4> status_columns = {
-    {{"bits", "", false}, {"not_finite", "", false}, {"out_of_bounds", "", false}, {"over_capacity", "", false}}};
+constexpr std::array<SlotColumn, 6> status_columns = {{{"bits", "", false},
+                                                       {"not_finite", "", false},
+                                                       {"out_of_bounds", "", false},
+                                                       {"over_capacity", "", false},
+                                                       {"missed", "", false},
+                                                       {"drift_bits", "", false}}};
 
 std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t word) {
     std::uint32_t value = 0;
@@ -41,6 +45,7 @@ std::span<const SlotColumn> slot_columns(Slot slot) {
     switch (slot) {
         case Slot::positions:
         case Slot::next_positions:
+        case Slot::built_positions:
             return position_columns;
         case Slot::velocities:
         case Slot::next_velocities:

@@ -50,7 +50,10 @@ Violation violation_after(Backend& backend, const Schedule& schedule, const Disp
 void StageChecker::load(const BallState& state, const Schedule& schedule, bool limit_force) {
     if (mirror_ != nullptr) {
         mirror_->load(state, schedule, limit_force);
-        mirror_->write(Slot::status, backend_.read(Slot::status));
+        // The grid as well: it may be used by more than one substep.
+        for (const Slot slot : {Slot::status, Slot::keys, Slot::cell_ranges, Slot::built_positions}) {
+            mirror_->write(slot, backend_.read(slot));
+        }
     }
 }
 

@@ -74,6 +74,7 @@ struct State {
     Status status{};
     bool has_grid = true;
     double cell_width = 0.0;                        // m
+    double largest_radius = 0.0;                    // m
     const measure::Occupancy* occupancy = nullptr;  // null until the first copy has arrived
     std::uint32_t top_count = 8;                    // balls in a cell that get the last colour
     vec3 (*which_colour)(std::uint32_t) = nullptr;  // sRGB of a ball, as the picture tints it

@@ -1,6 +1,8 @@
 #include "ui/status_panel.h"
 
+#include "core/grid_reuse.h"
 #include "ui/panels.h"
+#include "ui/stage_sentence.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -27,6 +29,11 @@ std::vector<std::string> failure_sentences(const Status& status) {
     if ((status.bits & STATUS_OVER_CAPACITY) != 0) {
         sentences.push_back("build_grid: a key named a cell or ball that has no room, " + times(status.over_capacity) +
                             ". Its contacts are missing.");
+    }
+    if ((status.bits & STATUS_MISSED) != 0) {
+        sentences.push_back("count_missed: a ball would not have found one that it touches, " + times(status.missed) +
+                            ": balls go up to " + length_text(drift(status)) +
+                            " while a grid is used. A wider cell factor or less reuse helps.");
     }
     return sentences;
 }

@@ -93,7 +93,9 @@ void reads_what_was_written(Backend& backend) {
     const std::vector<Key> keys(128, Key{3, 4});
     write_slot(backend, Slot::keys, keys);
     CHECK((read_slot<Key>(backend, Slot::keys)[127] == Key{3, 4}));
-    write_slot(backend, Slot::status, std::vector<Status>{{1, 2, 3, 4}});
+    Status status{};
+    status.over_capacity = 4;
+    write_slot(backend, Slot::status, std::vector{status});
     CHECK(read_slot<Status>(backend, Slot::status).at(0).over_capacity == 4);
 }
 

@@ -112,6 +112,14 @@ std::vector<std::vector<Doing>> all_doings() {
             s.neighbours = NeighbourSearch::grid;
         }),
         edit([](Settings& s) { s.laws.compensated = false; }),
+        edit([](Settings& s) {
+            s.grid_reuse = 2;
+            s.substeps = 5;
+        }),
+        {settings_edit([](Settings& s) { s.gravity.x = 1.0; }), settings_edit([](Settings& s) { s.gravity.x = 0.0; })},
+        edit([](Settings& s) { s.laws.diagnostics = false; }),
+        edit([](Settings& s) { s.cell_factor = 1.5; }),
+        edit([](Settings& s) { s.laws.diagnostics = true; }),
     };
 }
 
