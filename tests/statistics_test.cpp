@@ -1,5 +1,6 @@
 // A18 to A24: what many balls do on average. Minutes, so not in CTest: `./run statistics`. On the mirror, which the
 // GPU agrees with (docs/accuracy.md). Each line printed is a row of the table there.
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -219,24 +220,55 @@ TEST_CASE("A24 a pile weighs on the floor what it weighs", "[statistics]") {
     hold("A24 force on the floor / weight", force / (count * 9.8), 1.0, 1e-3);
 }
 
-TEST_CASE("piles keep still below the red line of dt / dt_c, and blow up above", "[statistics]") {
+// Piles at rest: what moves is rounding, which feeds every spring the same however long a substep is. So a pile is held
+// to what the very same pile does at a quarter of the gauge's dt_c: an unstable mode grows by 2 acosh(dt / dt_c) a
+// substep, 1e5 times and more in a hundred; below the limit it cannot.
+TEST_CASE("piles at rest stay so below the red line of dt / dt_c, and grow above", "[statistics][stability]") {
+    constexpr std::array marks{300, 10000};
+    std::puts(
+        "| pile at rest | true dt_c, ms | of the gauge | largest K / m g r of 10 000 substeps at 1/4, 9/10 of the "
+        "gauge's | of 300 at 1.1 of the true one, at 1/4 |");
     for (const bool unequal : {false, true}) {
-        for (const double restitution : {1.0, 0.5}) {
-            const test::SettledPile pile = test::settled_pile({unequal, restitution}, 300);
-            const double critical = test::true_critical_dt(pile);  // of the springs alone
-            const double bound = critical / test::gauge_of(pile, critical);
-            std::printf("%s, e = %g: dt_c of the springs %.3g ms, of the gauge %.3g ms\n",
-                        unequal ? "radii 1:2" : "equal radii", restitution, 1e3 * critical, 1e3 * bound);
-            double below = 0.0;
-            for (const double share : {0.3, 0.6, 0.9}) {
-                below = test::agitation(pile, share * bound, 3000);
-                std::printf("  at %.1f of the gauge's: %.3g m g r\n", share, below);
-                CHECK(below < 1.0);  // enough to lift every ball by its radius
-            }
-            const double above = test::agitation(pile, (restitution < 1.0 ? 1.3 : 1.1) * critical, 3000);
-            std::printf("  above the springs': %.3g m g r\n", above);
+        const test::SettledPile settled = test::settled_pile(unequal, 300);
+        for (const double restitution : {1.0, 0.9, 0.5, 0.2}) {
+            const test::SettledPile pile = test::with_restitution(settled, restitution);
+            const double critical = test::true_critical_dt(pile);
+            const double gauge = test::gauge_critical_dt(pile);
+            const auto quiet = test::course_of(pile, 0.25 * gauge, marks);
+            const double below = test::agitation(pile, 0.9 * gauge, marks.back());
+            const double above = test::agitation(pile, 1.1 * critical, marks.front());
+            std::printf("| %s, e = %g | %.3f | %.3f | %.1e, %.1e | %.1e, %.1e |\n",
+                        unequal ? "radii 1:2" : "equal radii", restitution, 1e3 * critical, 1e3 * gauge,
+                        quiet.back().agitation, below, above, quiet.front().agitation);
             std::fflush(stdout);
-            CHECK(above > 10.0 * below);
+            CHECK(gauge < critical);
+            CHECK(below < 10.0 * quiet.back().agitation);
+            CHECK(above > 100.0 * quiet.front().agitation);
         }
+    }
+}
+
+// What dt_c cannot tell: contacts that open and close err by up to 1.23 / n^2 each (docs/accuracy.md), and without a
+// loss those errors compound. The gauge of substeps a contact is for that.
+TEST_CASE("piles that move without loss heat where a contact has few substeps", "[statistics][stability]") {
+    constexpr double kick = 0.01;
+    constexpr std::array marks{1000, 10000};
+    std::puts("| pile that moves, e = 1 | substeps a contact | dt / dt_c | energy gained / m g r in 1000, 10 000 |");
+    for (const bool unequal : {false, true}) {
+        const test::SettledPile pile = test::kicked(test::settled_pile(unequal, 300), kick);
+        const double critical = test::gauge_critical_dt(pile);
+        const double contact = test::shortest_contact(pile);
+        const auto gain = [&](double dt) {
+            const auto course = test::course_of(pile, dt, marks);
+            std::printf("| %s | %.1f | %.2f | %.2g, %.2g |\n", unequal ? "radii 1:2" : "equal radii", contact / dt,
+                        dt / critical, course[0].gain, course[1].gain);
+            std::fflush(stdout);
+            return std::abs(course[1].gain);
+        };
+        CHECK(gain(contact / 20.0) < 0.01 * kick);
+        CHECK(gain(contact / 10.0) < 0.1 * kick);
+        gain(contact / 6.0);
+        gain(contact / 4.0);
+        gain(0.9 * critical);
     }
 }

@@ -8,11 +8,12 @@ sys.dont_write_bytecode = True   # leaves the source tree as it is
 
 import accuracy
 import physics
+import pile_limit
 import project
 import stages
 
 IMAGES = Path(__file__).resolve().parents[1] / "images"
-FIGURES = {**stages.FIGURES, **physics.FIGURES, **project.FIGURES, **accuracy.FIGURES}
+FIGURES = {**stages.FIGURES, **physics.FIGURES, **project.FIGURES, **accuracy.FIGURES, **pile_limit.FIGURES}
 
 
 def main():
