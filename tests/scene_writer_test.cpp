@@ -194,3 +194,35 @@ TEST_CASE("a state that is no number is not saved", "[keep]") {
     CHECK(test::complaint_of([&] { scene_of_moment(simulation); }) ==
           "the scene cannot be saved: ball 7 has a position or velocity that is no number");
 }
+
+TEST_CASE("what is saved can be loaded, whatever the balls have come to", "[keep]") {
+    // The largest ball of the densest fill, the smallest of the lightest, and no ball at all.
+    for (const char* fill : {R"({"count": 3, "radius": [1e4, 1e4], "density": 1e6})",
+                             R"({"count": 3, "radius": [1e-3, 1e-3], "density": 1e-3})", "none"}) {
+        CAPTURE(fill);
+        const bool none = std::string(fill) == "none";
+        Simulation simulation =
+            start(parse_scene(R"({"name": "N", "box": {"half_extent": [1e4, 1e4, 1e4]}, )" +
+                                  (none ? std::string(R"("balls": [{"position": [0, 0, 0], "radius": 1, "mass": 1}])")
+                                        : R"("fill": )" + std::string(fill)) +
+                                  "}",
+                              "scene"));
+        if (none) {
+            Settings settings = simulation.settings();
+            settings.balls = 0;
+            simulation.change(settings);
+        }
+        Simulation again = start(parse_scene(scene_text(scene_of_moment(simulation)), "saved"));
+        CHECK(again.settings().balls == simulation.settings().balls);
+        CHECK(hash_of(again) == hash_of(simulation));
+    }
+}
+
+TEST_CASE("a state that no scene file may hold is not saved", "[keep]") {
+    Simulation simulation = start(parse_scene(everything, "scene"));
+    auto velocities = read_slot<vec4>(simulation.backend(), Slot::velocities);
+    velocities[7].z = -2e30f;
+    simulation.backend().write(Slot::velocities, std::as_bytes(std::span(velocities)));
+    CHECK(test::complaint_of([&] { scene_of_moment(simulation); }) ==
+          "the scene cannot be saved: ball 7 has a position or velocity beyond 1e+30");
+}

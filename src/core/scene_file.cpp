@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 constexpr double smallest_density = 1e-3;  // kg/m^3
 constexpr double largest_density = 1e6;    // kg/m^3
-constexpr double largest_number = 1e30;    // of a saved moment: what float can still compute with
 
 std::string inside_text(double half) {
     return "a place inside the box, from " + shortest_text(-half) + " to " + shortest_text(half) + " m";
@@ -213,14 +212,15 @@ Scene parse_scene(std::string_view text, const std::string& file) {
     read_section(root, "compute", read_compute, scene);
     read_section(root, "resume", read_resume, scene);
     read_section(root, "bounds", read_bounds, scene);
-    if (const auto list = root.optional("balls")) {
+    const auto list = root.optional("balls");
+    if (list) {
         list->expect_array();
     }
     check_balls(scene, file);
     if (const auto fill = root.optional("fill")) {
         scene.fill = read_fill(*fill, scene);
     }
-    if (scene.balls.empty() && !scene.fill) {
+    if (scene.balls.empty() && !scene.fill && !(list && scene.resume)) {  // all balls of a saved moment may be gone
         root.refuse("'balls' or 'fill'", "neither");
     }
     scene.settings.balls = static_cast<std::uint32_t>(scene.balls.size()) + (scene.fill ? scene.fill->count : 0u);

@@ -9,9 +9,10 @@ namespace ballpit {
 // What single precision can still compute with: beyond these, forces overflow or positions stand still.
 inline constexpr double smallest_length = 1e-3;  // m
 inline constexpr double largest_length = 1e4;    // m
-inline constexpr double smallest_mass = 1e-9;    // kg
-inline constexpr double largest_mass = 1e12;     // kg
+inline constexpr double smallest_mass = 1e-12;   // kg: that of the smallest ball of the lightest fill is larger
+inline constexpr double largest_mass = 1e19;     // kg: that of the largest ball of the densest fill is smaller
 inline constexpr double largest_speed = 1e6;     // m/s
+inline constexpr double largest_number = 1e30;   // m, m/s: of a saved moment
 
 /// Each reads the value of the key in its name into the scene. Throws InputError (json_document.h).
 void read_box(const JsonValue& box, Scene& scene);

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/json_document.h"
+#include "core/scene_sections.h"
 
 namespace ballpit {
 
@@ -205,6 +206,13 @@ void expect_finite(const vec4& position, const vec4& velocity, std::size_t ball)
     if (!std::isfinite(sum.x + sum.y + sum.z + sum.w)) {
         throw InputError("the scene cannot be saved: ball " + std::to_string(ball) +
                          " has a position or velocity that is no number");
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(static_cast<double>(position[axis])) > largest_number ||
+            std::abs(static_cast<double>(velocity[axis])) > largest_number) {
+            throw InputError("the scene cannot be saved: ball " + std::to_string(ball) +
+                             " has a position or velocity beyond " + shortest_text(largest_number));
+        }
     }
 }
 
