@@ -18,7 +18,7 @@ const std::array<ui::SceneChoice, 1> scenes = {{{"Rain", "Balls fall."}}};
 
 SweepRow row_of(Integrator integrator, std::uint32_t substeps, double ms, double error) {
     SweepRow row;
-    row.point = {integrator, substeps, false};
+    row.point = {integrator, substeps, false, 1};
     row.ms_a_second = ms;
     row.position = error;
     row.position_at = {0.0, 0.1 * error, 0.5 * error, error, 3.0 * error};
@@ -168,7 +168,8 @@ TEST_CASE("axes hold all values, in whole decades", "[ui]") {
     CHECK(ui::decades_of({}) == ui::Decades{-3.0, 0.0});
     const std::vector<double> values = {0.003, 20.0, 0.0, std::numeric_limits<double>::infinity()};
     CHECK(ui::decades_of(values) == ui::Decades{-3.0, 2.0});
-    CHECK(ui::point_text({Integrator::historical, 1, true}) == "historical, 1 substep, compensated");
+    CHECK(ui::point_text({Integrator::historical, 1, true, 1}) == "historical, 1 substep, compensated");
+    CHECK(ui::point_text({Integrator::leapfrog, 16, false, 8}) == "leapfrog, 16 substeps, one grid for 8 substeps");
     CHECK(ui::value_text(std::nullopt) == "–");
     CHECK(ui::value_text(0.00123) == "0.00123");
 }

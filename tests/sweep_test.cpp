@@ -36,7 +36,7 @@ SweepQuestion question_of(const std::string& name, std::vector<SweepPoint> point
 std::vector<SweepPoint> points_of(Integrator integrator, std::initializer_list<std::uint32_t> substeps) {
     std::vector<SweepPoint> points;
     for (const std::uint32_t n : substeps) {
-        points.push_back({integrator, n, false});
+        points.push_back({integrator, n, false, 1});
     }
     return points;
 }
@@ -187,14 +187,37 @@ TEST_CASE("a scene without contacts has no contact to count substeps of", "[swee
 
 TEST_CASE("the choices of a sweep: every combination of what was given, else the usual set", "[sweep]") {
     Settings settings = shipped("two_balls").settings;
-    const auto given = sweep_points(settings, {{Integrator::leapfrog, Integrator::historical}, {2, 4}, {false, true}});
-    CHECK(given.size() == 8);
-    CHECK(given.front() == SweepPoint{Integrator::leapfrog, 2, false});
-    CHECK(given.back() == SweepPoint{Integrator::historical, 4, true});
+    const auto given =
+        sweep_points(settings, {{Integrator::leapfrog, Integrator::historical}, {2, 4}, {false, true}, {1, 8}});
+    CHECK(given.size() == 16);
+    CHECK(given.front() == SweepPoint{Integrator::leapfrog, 2, false, 1});
+    CHECK(given.back() == SweepPoint{Integrator::historical, 4, true, 8});
     const auto few = sweep_points(settings, {});
     CHECK(few.back().substeps == 65536);
     const auto many = sweep_points(shipped("rain").settings, {});
-    CHECK(many.back() == SweepPoint{Integrator::leapfrog, 128, true});
+    CHECK(many.back() == SweepPoint{Integrator::leapfrog, 128, false, 8});
+    CHECK(std::ranges::none_of(few, [](const SweepPoint& point) { return point.grid_reuse > 1; }));  // no grid
+}
+
+TEST_CASE("a grid is used again with cells as wide as a run before found them to be needed", "[sweep]") {
+    const SweepPoint each{Integrator::leapfrog, 16, false, 1};
+    const SweepPoint again{Integrator::leapfrog, 16, false, 8};
+    SweepQuestion question = question_of("elastic_gas", {each, again});
+    question.settings.balls = 300;
+    const auto rows = run(question);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].cell_factor == 1.0);
+    CHECK_FALSE(rows[0].missed);
+    CHECK(rows[1].cell_factor > 1.0);
+    REQUIRE(rows[1].missed);
+    CHECK(*rows[1].missed == 0);
+    REQUIRE(rows[0].position);
+    REQUIRE(rows[1].position);
+    CHECK(*rows[1].position == Approx(*rows[0].position).epsilon(0.2));  // the same contacts, in another order
+    const Settings applied = with_row(question.settings, rows[1]);
+    CHECK(applied.grid_reuse == 8);
+    CHECK(applied.cell_factor == rows[1].cell_factor);
+    CHECK(point_of(applied) == again);
 }
 
 TEST_CASE("whole substeps a contact: leapfrog errs by less than 2.1 / Nc^3, the historical one by its closed form",

@@ -52,6 +52,10 @@ measure::SweepLists lists_of(const Options& options) {
     for (const std::string& precision : options.precision) {
         lists.compensated.push_back(precision == "compensated");
     }
+    const SettingInfo& reuse = *find_setting("grid_reuse");
+    for (const std::uint32_t m : options.grid_reuse) {
+        lists.grid_reuse.push_back(in_range("grid-reuse", m, reuse.minimum, reuse.maximum));
+    }
     return lists;
 }
 
@@ -79,8 +83,8 @@ void print_header(const Sweep& sweep, std::ostream& out) {
         out << reference.note << "\n";
     }
     out << std::right << std::setw(17) << "integrator" << std::setw(9) << "substeps" << std::setw(12) << "precision"
-        << std::setw(9) << "Nc" << std::setw(12) << "ms/sim. s" << std::setw(13) << "position m" << std::setw(12)
-        << "energy 1/s" << std::setw(10) << "overlap" << std::setw(13) << "restitution"
+        << std::setw(6) << "reuse" << std::setw(9) << "Nc" << std::setw(12) << "ms/sim. s" << std::setw(13)
+        << "position m" << std::setw(12) << "energy 1/s" << std::setw(10) << "overlap" << std::setw(13) << "restitution"
         << "\n";
 }
 
@@ -94,13 +98,17 @@ std::string cell_text(const std::optional<double>& value, int digits = 3) {
     return out.str();
 }
 
+std::string missed_text(const SweepRow& row) {
+    return row.missed && *row.missed > 0 ? "  " + std::to_string(*row.missed) + " contacts missed" : "";
+}
+
 void print_row(const SweepRow& row, std::ostream& out) {
     out << std::right << std::setw(17) << integrator_names.at(static_cast<std::size_t>(row.point.integrator))
         << std::setw(9) << row.point.substeps << std::setw(12) << (row.point.compensated ? "compensated" : "float")
-        << std::setw(9) << cell_text(row.substeps_a_contact) << std::setw(12) << cell_text(row.ms_a_second, 4)
-        << std::setw(13) << cell_text(row.position) << std::setw(12) << cell_text(row.energy) << std::setw(10)
-        << cell_text(row.overlap) << std::setw(13) << cell_text(row.restitution)
-        << (row.note.empty() ? "" : "  " + row.note) << std::endl;
+        << std::setw(6) << row.point.grid_reuse << std::setw(9) << cell_text(row.substeps_a_contact) << std::setw(12)
+        << cell_text(row.ms_a_second, 4) << std::setw(13) << cell_text(row.position) << std::setw(12)
+        << cell_text(row.energy) << std::setw(10) << cell_text(row.overlap) << std::setw(13)
+        << cell_text(row.restitution) << missed_text(row) << (row.note.empty() ? "" : "  " + row.note) << std::endl;
 }
 
 void run_sweep(Sweep& sweep, bool quiet) {

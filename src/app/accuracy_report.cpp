@@ -37,6 +37,9 @@ Json row_json(const SweepRow& row) {
     Json json = {{"integrator", integrator_text(row.point.integrator)},
                  {"substeps", row.point.substeps},
                  {"precision", precision_text(row)},
+                 {"grid_reuse", row.point.grid_reuse},
+                 {"cell_factor", row.cell_factor},
+                 {"missed", optional_json(row.missed)},
                  {"substeps_a_contact", row.substeps_a_contact},
                  {"ms_a_second", row.ms_a_second},
                  {"ms_a_second_quartiles", {row.fast_ms_a_second, row.slow_ms_a_second}},
@@ -138,7 +141,8 @@ Json accuracy_json(const Sweep& sweep, std::span<const measure::CollisionRung> c
 
 std::string accuracy_csv(const Sweep& sweep, const ReportOrigin& origin) {
     std::ostringstream out;
-    out << "device,driver,backend,command,date,scene,balls,integrator,substeps,precision,substeps_a_contact,"
+    out << "device,driver,backend,command,date,scene,balls,integrator,substeps,precision,grid_reuse,cell_factor,missed,"
+           "substeps_a_contact,"
            "ms_a_second,q1,q3,position_error,energy_error,overlap,restitution_error,finite,note\n";
     for (const SweepRow& row : sweep.rows()) {
         for (const char* key : {"device", "driver", "backend"}) {
@@ -146,11 +150,13 @@ std::string accuracy_csv(const Sweep& sweep, const ReportOrigin& origin) {
         }
         out << quoted(origin.command) << ',' << origin.date << ',' << quoted(sweep.question().scene.name) << ','
             << sweep.question().settings.balls << ',' << integrator_text(row.point.integrator) << ','
-            << row.point.substeps << ',' << precision_text(row) << ',' << shortest_text(row.substeps_a_contact) << ','
-            << shortest_text(row.ms_a_second) << ',' << shortest_text(row.fast_ms_a_second) << ','
-            << shortest_text(row.slow_ms_a_second) << ',' << optional_text(row.position) << ','
-            << optional_text(row.energy) << ',' << optional_text(row.overlap) << ',' << optional_text(row.restitution)
-            << ',' << (row.finite ? "true" : "false") << ',' << quoted(row.note) << '\n';
+            << row.point.substeps << ',' << precision_text(row) << ',' << row.point.grid_reuse << ','
+            << shortest_text(row.cell_factor) << ',' << optional_text(row.missed) << ','
+            << shortest_text(row.substeps_a_contact) << ',' << shortest_text(row.ms_a_second) << ','
+            << shortest_text(row.fast_ms_a_second) << ',' << shortest_text(row.slow_ms_a_second) << ','
+            << optional_text(row.position) << ',' << optional_text(row.energy) << ',' << optional_text(row.overlap)
+            << ',' << optional_text(row.restitution) << ',' << (row.finite ? "true" : "false") << ','
+            << quoted(row.note) << '\n';
     }
     return out.str();
 }

@@ -24,7 +24,9 @@ struct Row {
     std::uint32_t balls = 0;
     std::uint32_t substeps = 0;
     std::string sort;
-    std::vector<double> substep_ms;  // a sample a substep
+    std::uint32_t grid_reuse = 1;
+    std::uint32_t missed = 0;        // ends of contacts that a used grid did not show
+    std::vector<double> substep_ms;  // a sample a substep; the mean of a step's where not all of them build a grid
     std::array<std::vector<double>, stage_count> stage_ms;
     double wall_ms = 0.0;  // a substep, on the wall clock, queueing included
 };
@@ -34,6 +36,20 @@ void run_steps(Simulation& simulation, std::uint64_t steps) {
         simulation.step();
     }
     simulation.backend().finish();
+}
+
+// The mean of these substeps.
+void add_sample(Row& row, std::span<const StageTimes> substeps) {
+    double sum = 0.0;
+    for (std::size_t stage = 0; stage < stage_count; ++stage) {
+        double ms = 0.0;
+        for (const StageTimes& times : substeps) {
+            ms += times[stage] / static_cast<double>(substeps.size());
+        }
+        row.stage_ms[stage].push_back(ms);
+        sum += ms;
+    }
+    row.substep_ms.push_back(sum);
 }
 
 Row measure_row(Simulation& simulation, std::uint64_t steps) {
@@ -46,22 +62,19 @@ Row measure_row(Simulation& simulation, std::uint64_t steps) {
     backend.set_timing(false);
 
     const Settings& settings = simulation.settings();
-    Row row{std::string(backend.name()),
-            simulation.scene().name,
-            settings.balls,
-            settings.substeps,
-            std::string(sort_names[static_cast<std::size_t>(settings.sort)]),
-            {},
-            {},
-            0.0};
+    Row row;
+    row.backend = backend.name();
+    row.scene = simulation.scene().name;
+    row.balls = settings.balls;
+    row.substeps = settings.substeps;
+    row.sort = sort_names[static_cast<std::size_t>(settings.sort)];
+    row.grid_reuse = settings.grid_reuse;
+    row.missed = read_slot<Status>(backend, Slot::status).front().missed;
     row.wall_ms = wall_ms / static_cast<double>(steps * settings.substeps);
-    for (const StageTimes& times : backend.take_times()) {
-        double sum = 0.0;
-        for (std::size_t stage = 0; stage < stage_count; ++stage) {
-            row.stage_ms[stage].push_back(times[stage]);
-            sum += times[stage];
-        }
-        row.substep_ms.push_back(sum);
+    const std::vector<StageTimes> times = backend.take_times();
+    const std::size_t together = settings.grid_reuse > 1 ? settings.substeps : 1;
+    for (std::size_t first = 0; first + together <= times.size(); first += together) {
+        add_sample(row, std::span(times).subspan(first, together));
     }
     return row;
 }
@@ -79,6 +92,8 @@ Json row_json(const Row& row) {
             {"balls", row.balls},
             {"substeps", row.substeps},
             {"sort", row.sort},
+            {"grid_reuse", row.grid_reuse},
+            {"missed", row.missed},
             {"ms_per_substep", median(row.substep_ms)},
             {"ms_per_substep_quartiles", {quantile(row.substep_ms, 0.25), quantile(row.substep_ms, 0.75)}},
             {"wall_ms_per_substep", row.wall_ms},
@@ -89,15 +104,16 @@ Json row_json(const Row& row) {
 
 std::string csv_text(const std::vector<Row>& rows, const Json& device) {
     std::ostringstream out;
-    out << "device,driver,backend,scene,balls,substeps,sort,ms_per_substep,q1,q3,wall_ms_per_substep";
+    out << "device,driver,backend,scene,balls,substeps,sort,grid_reuse,missed,ms_per_substep,q1,q3,wall_ms_per_substep";
     for (const std::string_view name : stage_names) {
         out << ',' << name;
     }
     out << '\n';
     for (const Row& row : rows) {
         out << device["device"] << ',' << device["driver"] << ',' << row.backend << ",\"" << row.scene << "\","
-            << row.balls << ',' << row.substeps << ',' << row.sort << ',' << median(row.substep_ms) << ','
-            << quantile(row.substep_ms, 0.25) << ',' << quantile(row.substep_ms, 0.75) << ',' << row.wall_ms;
+            << row.balls << ',' << row.substeps << ',' << row.sort << ',' << row.grid_reuse << ',' << row.missed << ','
+            << median(row.substep_ms) << ',' << quantile(row.substep_ms, 0.25) << ',' << quantile(row.substep_ms, 0.75)
+            << ',' << row.wall_ms;
         for (const auto& stage : row.stage_ms) {
             out << ',' << median(stage);
         }

@@ -121,8 +121,8 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
 }
 
 CLI::App* add_accuracy(CLI::App& app, Options& options) {
-    CLI::App* accuracy =
-        app.add_subcommand("accuracy", "What substeps, integrator and precision cost, and how exact they are");
+    CLI::App* accuracy = app.add_subcommand(
+        "accuracy", "What substeps, integrator, precision and reuse of the grid cost, and how exact they are");
     add_scene_options(*accuracy, options);
     accuracy->add_option("--substeps", options.substeps, "Substeps a step, such as 1,2,4,8")
         ->delimiter(',')
@@ -132,6 +132,11 @@ CLI::App* add_accuracy(CLI::App& app, Options& options) {
     accuracy->add_option("--precision", options.precision, "float, compensated, or both")
         ->delimiter(',')
         ->check(CLI::IsMember({"float", "compensated"}));
+    accuracy
+        ->add_option("--grid-reuse", options.grid_reuse,
+                     "Substeps that use one grid, such as 1,8; cells are made wide enough for each")
+        ->delimiter(',')
+        ->check(whole_number);
     accuracy->add_option("--seconds", options.seconds, "Simulated seconds of each run (default 1)")
         ->check(CLI::PositiveNumber);
     accuracy->add_option("--limit", options.limit, "Seconds that one run may take")

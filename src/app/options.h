@@ -45,7 +45,8 @@ struct Options {
     // accuracy; substeps are bench's, seconds headless's
     std::vector<std::string> integrator;
     std::vector<std::string> precision;  // float, compensated
-    double limit = 20.0;                 // s of the wall clock, of one run
+    std::vector<std::uint32_t> grid_reuse;
+    double limit = 20.0;  // s of the wall clock, of one run
 
     // extremes; backend may be reference, too
     std::vector<std::string> only;  // rows, such as E7; empty: all

@@ -41,6 +41,7 @@ WindowExplorer::Measured WindowExplorer::to_measure(const Session& session) {
     const Simulation& simulation = session.simulation();
     Settings settings = measure::with_point(simulation.settings(), {});
     settings.pull.reset();
+    settings.cell_factor = Settings().cell_factor;  // each row has its own
     return {settings, session.scene_changes(), std::string(simulation.backend().name())};
 }
 

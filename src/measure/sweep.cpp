@@ -26,11 +26,17 @@ Settings with_point(Settings settings, const SweepPoint& point) {
     settings.integrator = point.integrator;
     settings.substeps = point.substeps;
     settings.laws.compensated = point.compensated;
+    settings.grid_reuse = point.grid_reuse;
     return settings;
 }
 
+Settings with_row(Settings settings, const SweepRow& row) {
+    settings.cell_factor = row.cell_factor;
+    return with_point(std::move(settings), row.point);
+}
+
 SweepPoint point_of(const Settings& settings) {
-    return {settings.integrator, settings.substeps, settings.laws.compensated};
+    return {settings.integrator, settings.substeps, settings.laws.compensated, settings.grid_reuse};
 }
 
 std::optional<double> metric_of(const SweepRow& row, SweepMetric metric) {
@@ -165,6 +171,9 @@ void Sweep::work(double budget_ms) {
         case Stage::warm_up:
             warm_up(budget_ms);
             break;
+        case Stage::fitted:
+            advance_fitted(budget_ms);
+            break;
         case Stage::timed:
             advance_timed(budget_ms);
             break;
@@ -205,13 +214,16 @@ double Sweep::ms_left() const {
     const bool of_reference = stage_ == Stage::reference || stage_ == Stage::twin;
     double substeps = 0.0;
     for (std::size_t i = rows_.size(); i < question_.points.size(); ++i) {
-        substeps += 2.0 * steps * question_.points[i].substeps;
+        const double runs = question_.points[i].grid_reuse > 1 ? 3.0 : 2.0;
+        substeps += runs * steps * question_.points[i].substeps;
     }
     double here = 0.0;
     if (run_ != nullptr && stage_ != Stage::warm_up) {
         here = steps * run_->simulation().settings().substeps - static_cast<double>(run_->substeps());
-        here +=
-            stage_ == Stage::timed || stage_ == Stage::reference ? steps * run_->simulation().settings().substeps : 0.0;
+        const double runs_after = stage_ == Stage::fitted                                ? 2.0
+                                  : stage_ == Stage::timed || stage_ == Stage::reference ? 1.0
+                                                                                         : 0.0;
+        here += runs_after * steps * run_->simulation().settings().substeps;
     }
     const double device_ms = device_substep_ms_ > 0.0 ? device_substep_ms_ : reference_substep_ms_;
     return of_reference ? here * reference_substep_ms_ + substeps * device_ms : (here + substeps) * device_ms;

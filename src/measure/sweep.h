@@ -22,10 +22,11 @@ struct SweepPoint {
     Integrator integrator = Integrator::leapfrog;
     std::uint32_t substeps = 1;
     bool compensated = false;
+    std::uint32_t grid_reuse = 1;
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
 
-/// The settings with this choice.
+/// The settings with this choice; cells stay as wide as they are.
 Settings with_point(Settings settings, const SweepPoint& point);
 /// The choice that these settings are.
 SweepPoint point_of(const Settings& settings);
@@ -51,17 +52,22 @@ struct SweepRow {
     double ms_a_second = 0.0;         // of the wall clock for a simulated second: median of the steps
     double fast_ms_a_second = 0.0;    // quartiles
     double slow_ms_a_second = 0.0;
-    std::optional<double> position;     // m, rms: the largest up to the horizon
-    std::vector<double> position_at;    // m, rms, after each step; beyond the horizon it says nothing
-    std::optional<double> energy;       // 1/s: energy made or eaten, a second, over that of the start
-    std::optional<double> overlap;      // largest, in diameters
-    std::optional<double> restitution;  // 95 % of the probe's collisions err by less
+    std::optional<double> position;       // m, rms: the largest up to the horizon
+    std::vector<double> position_at;      // m, rms, after each step; beyond the horizon it says nothing
+    std::optional<double> energy;         // 1/s: energy made or eaten, a second, over that of the start
+    std::optional<double> overlap;        // largest, in diameters
+    std::optional<double> restitution;    // 95 % of the probe's collisions err by less
+    double cell_factor = 1.0;             // where a grid is used again: wide enough for a run before, which measured it
+    std::optional<std::uint32_t> missed;  // ends of contacts that a used grid did not show, where they are counted
     bool finite = true;
     std::string note;  // why something is missing; else empty
 };
 
 enum class SweepMetric { position, energy, overlap, restitution };
 inline constexpr std::array<std::string_view, 4> sweep_metric_names = {"position", "energy", "overlap", "restitution"};
+/// The settings that this row was measured with.
+Settings with_row(Settings settings, const SweepRow& row);
+
 std::optional<double> metric_of(const SweepRow& row, SweepMetric metric);
 
 class Sweep {
@@ -85,7 +91,7 @@ public:
     const SweepQuestion& question() const { return question_; }
 
 private:
-    enum class Stage : std::uint8_t { reference, twin, warm_up, timed, metered, probed, done };
+    enum class Stage : std::uint8_t { reference, twin, warm_up, fitted, timed, metered, probed, done };
 
     void work(double budget_ms);
     SweepRow& row() { return rows_.back(); }
@@ -96,6 +102,8 @@ private:
     void begin_choices();
     void warm_up(double budget_ms);
     void begin_point();
+    void advance_fitted(double budget_ms);
+    void begin_timed();
     void advance_timed(double budget_ms);
     void advance_metered(double budget_ms);
     void take_records();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/grid_reuse.h"
 #include "measure/statistics.h"
 #include "measure/sweep.h"
 
@@ -29,10 +30,35 @@ bool all_finite(std::span<const vec4> positions) {
 }  // namespace
 
 void Sweep::begin_point() {
-    stage_ = Stage::timed;
     const SweepPoint& point = question_.points[rows_.size()];
     rows_.emplace_back().point = point;
-    run_ = run_of(with_point(question_.settings, row().point), false);
+    row().cell_factor = question_.settings.cell_factor;
+    if (point.grid_reuse > 1) {
+        stage_ = Stage::fitted;
+        Settings settings = with_row(question_.settings, row());
+        settings.laws.diagnostics = true;  // or nobody measures
+        run_ = run_of(settings, false);
+    } else {
+        begin_timed();
+    }
+}
+
+// How far balls go while a grid is used says how wide its cells must be.
+void Sweep::advance_fitted(double budget_ms) {
+    run_->advance(budget_ms);
+    if (run_->steps() < steps_ && !too_slow()) {
+        return;
+    }
+    Simulation& simulation = run_->simulation();
+    const Status status = read_slot<Status>(simulation.backend(), Slot::status).front();
+    const double wide = cell_factor_for(drift(status), simulation.largest_ball_radius());
+    row().cell_factor = std::clamp(wide, question_.settings.cell_factor, find_setting("cell_factor")->maximum);
+    begin_timed();
+}
+
+void Sweep::begin_timed() {
+    stage_ = Stage::timed;
+    run_ = run_of(with_row(question_.settings, row()), false);
     const double dt = question_.settings.dt / row().point.substeps;
     row().substeps_a_contact = pair_frequency_ > 0.0 ? std::numbers::pi / (pair_frequency_ * dt) : 0.0;
     if (reference_.usable()) {
@@ -72,6 +98,9 @@ void Sweep::advance_timed(double budget_ms) {
     row().ms_a_second = median(ms) / question_.settings.dt;
     row().fast_ms_a_second = quantile(ms, 0.25) / question_.settings.dt;
     row().slow_ms_a_second = quantile(ms, 0.75) / question_.settings.dt;
+    if (run_->simulation().schedule().keeps_places) {
+        row().missed = read_slot<Status>(run_->simulation().backend(), Slot::status).front().missed;
+    }
     if (slow) {
         stage_ = Stage::probed;
         return;
@@ -84,7 +113,7 @@ void Sweep::advance_timed(double budget_ms) {
     balance_.clear();
     energy_scale_ = 0.0;
     row().overlap = 0.0;
-    run_ = run_of(with_point(question_.settings, row().point), false);
+    run_ = run_of(with_row(question_.settings, row()), false);
     run_->simulation().set_metering(true);
 }
 
@@ -125,7 +154,7 @@ void Sweep::finish_metered() {
 void Sweep::advance_probe(double budget_ms) {
     if (!probe_) {
         probe_backend_ = backends_.device();
-        probe_.emplace(*probe_backend_, ProbeQuestion{with_point(question_.settings, row().point), probe_scene_});
+        probe_.emplace(*probe_backend_, ProbeQuestion{with_row(question_.settings, row()), probe_scene_});
     }
     const auto start = std::chrono::steady_clock::now();
     while (!probe_->advance(probe_slice)) {

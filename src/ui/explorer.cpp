@@ -27,6 +27,9 @@ std::string point_text(const measure::SweepPoint& point) {
     if (point.compensated) {
         words += ", compensated";
     }
+    if (point.grid_reuse > 1) {
+        words += format(", one grid for %u substeps", point.grid_reuse);
+    }
     return words;
 }
 

@@ -92,11 +92,15 @@ void key_to_symbols(const ExplorerState& explorer) {
         if (std::ranges::any_of(explorer.rows,
                                 [&](const SweepRow& row) { return row.point.integrator == integrator; })) {
             next_to(10.0f * em());
-            entry({integrator, 1, false}, std::string(integrator_names[i]));
+            entry({integrator, 1, false, 1}, std::string(integrator_names[i]));
         }
     }
     next_to(10.0f * em());
-    entry({Integrator::leapfrog, 1, true}, "hollow: compensated");
+    entry({Integrator::leapfrog, 1, true, 1}, "hollow: compensated");
+    if (std::ranges::any_of(explorer.rows, [](const SweepRow& row) { return row.point.grid_reuse > 1; })) {
+        next_to(12.0f * em());
+        entry({Integrator::leapfrog, 1, false, 2}, "with a dot: a grid used again");
+    }
 }
 
 std::vector<std::size_t> front_of(const ExplorerState& explorer) {
@@ -126,6 +130,10 @@ void describe(const SweepRow& row) {
     std::string words = point_text(row.point) + "\n" + format("%.4g ms for a simulated second", row.ms_a_second) +
                         "\nposition " + value_text(row.position) + " m  ·  energy " + value_text(row.energy) +
                         " 1/s\noverlap " + value_text(row.overlap) + "  ·  restitution " + value_text(row.restitution);
+    if (row.point.grid_reuse > 1) {
+        words += format("\ncell factor %.3g", row.cell_factor) +
+                 (row.missed ? ", contacts missed: " + grouped(*row.missed) : std::string());
+    }
     words += row.note.empty() ? "\nClick: run the scene like this" : "\n" + row.note;
     tooltip(words);
 }
@@ -227,7 +235,7 @@ void explorer_panel(const State& state, Commands& commands) {
     if (pointed != nullptr) {
         describe(*pointed);
         if (plot.clicked() && !explorer.stale) {
-            commands.push_back(ChangeSettings{measure::with_point(state.settings, pointed->point)});
+            commands.push_back(ChangeSettings{measure::with_row(state.settings, *pointed)});
         }
     }
     const SweepRow* shown = pointed != nullptr ? pointed : row_here(explorer);

@@ -138,6 +138,9 @@ void draw_symbol(ImDrawList* list, ImVec2 c, float r, const measure::SweepPoint&
             list->AddConvexPolyFilled(corners.data(), shape.corners, colour);
         }
     }
+    if (point.grid_reuse > 1) {
+        list->AddCircleFilled(c, 0.35f * r, packed(vec3(0.0f)));
+    }
 }
 
 }  // namespace ballpit::ui
