@@ -23,6 +23,7 @@ EXIT_SKIPPED = 77   # the executables' own: no OpenGL 4.3 here
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIVED = "**lived**"
 CPU = "src/cpu/collide.cpp"
+NEIGHBOURS = "src/cpu/neighbours.h"
 PAIR = "glsl/shared/pair.glsl"
 CONTACT = "glsl/shared/contact.glsl"
 
@@ -51,14 +52,12 @@ MUTANTS = [
       (PAIR, "vec4 position = positions[other];", "vec4 position = next_positions[other];")],
      "A4 head*"),
     ("a ball touches itself",
-     [(CPU, "const std::uint32_t id = in.keys[slot].ball_id;\n                    if (id != a.id) {",
-       "const std::uint32_t id = in.keys[slot].ball_id;\n                    {")],
+     [(NEIGHBOURS, "id = keys[slot].ball_id; id != self) {", "id = keys[slot].ball_id; true) {")],
      [("glsl/shared/neighbours.glsl", "if (id != a.id) {", "{")],
      "A4 head*"),
     ("26 of 27 cells",
-     [(CPU, "const std::uint32_t id = in.keys[slot].ball_id;\n                    if (id != a.id) {",
-       "const std::uint32_t id = in.keys[slot].ball_id;\n"
-       "                    if (id != a.id && !(x > middle.x && y > middle.y && z > middle.z)) {")],
+     [(NEIGHBOURS, "id = keys[slot].ball_id; id != self) {",
+       "id = keys[slot].ball_id; id != self && !(x > middle.x && y > middle.y && z > middle.z)) {")],
      [("glsl/shared/neighbours.glsl", "if (id != a.id) {",
        "if (id != a.id && !(x > middle.x && y > middle.y && z > middle.z)) {")],
      "A25 forces*"),
@@ -119,7 +118,7 @@ MUTANTS = [
      [(PAIR, "force = sum;", "force = sum;\n#ifdef LAW_GRAVITY\n        force += a.mass * params.gravity;\n#endif")],
      "A10 column at rest*"),
     ("at most four balls of a cell",
-     [(CPU, "slot < range.end; ++slot", "slot < std::min(range.end, range.first + 4u); ++slot")],
+     [(NEIGHBOURS, "slot < range.end; ++slot", "slot < std::min(range.end, range.first + 4u); ++slot")],
      [("glsl/shared/neighbours.glsl", "slot < range.end; ++slot", "slot < min(range.end, range.first + 4u); ++slot")],
      "A25 forces*"),
 ]
