@@ -253,11 +253,15 @@ Bytes GpuBackend::read(Slot slot) {
     return buffer(slot).read(used_bytes_[physical(slot)]);
 }
 
+// By way of another buffer: the device then copies when its turn comes. glBufferSubData, too, has to wait for shaders
+// behind a barrier, but a driver (NVIDIA 580.159.04) was seen to let it overtake atomics that were still under way.
 void GpuBackend::write(Slot slot, std::span<const std::byte> bytes) {
     assert(bytes.size() <= used_bytes_[physical(slot)]);
     if (!bytes.empty()) {
+        gl::Buffer upload("upload", bytes.size(), GL_STREAM_COPY);
+        upload.write(bytes);
         use(slot, Use::copy);
-        buffer(slot).write(bytes);
+        gl::copy(upload, buffer(slot), bytes.size());
     }
 }
 

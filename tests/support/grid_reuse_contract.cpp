@@ -134,9 +134,13 @@ void looking_changes_nothing(const MakeBackend& make) {
         looked_at.take_records();
     }
     CHECK(hash_state(looked_at.raw_state()) == hash_state(left_alone.raw_state()));
-    const bool same = looked_at.backend().read(Slot::status) == left_alone.backend().read(Slot::status);
-    CHECK(same);
-    CHECK(status_of(left_alone).missed > 0);
+    const Status looked = status_of(looked_at);
+    const Status left = status_of(left_alone);
+    CHECK(looked.bits == left.bits);
+    CHECK(looked.missed == left.missed);
+    CHECK(looked.out_of_bounds == left.out_of_bounds);
+    CHECK(drift(looked) == drift(left));
+    CHECK(left.missed > 0);
 }
 
 }  // namespace ballpit::test
