@@ -117,12 +117,17 @@ def fronts():
             for precision, fill in (("float", colour), ("compensated", "none")):
                 for a, b in curve(rows, "ms_a_second", "energy_error", integrator=name, precision=precision):
                     p.circle(axes.x(a), axes.y(min(b, 1e3)), 4.5, fill, colour, 1.5)
+            for a, b in curve(rows, "ms_a_second", "energy_error", integrator=name, grid_reuse="8"):
+                p.circle(axes.x(a), axes.y(min(b, 1e3)), 2, INK, "none", 0)
         axes.curve(front_of(shown), INK, 1.5)
     for i, (name, colour, _) in enumerate(INTEGRATORS):
         p.circle(90 + 210 * i, 492, 5, colour, colour, 1.5)
         p.text(102 + 210 * i, 497, name.replace("_", " "), 15)
-    p.circle(930, 492, 5, "none", BLUE, 1.5)
-    p.text(942, 497, "hollow: compensated sums", 15)
+    p.circle(890, 492, 5, "none", BLUE, 1.5)
+    p.text(902, 497, "compensated", 15)
+    p.circle(1010, 492, 5, BLUE, BLUE, 1.5)
+    p.circle(1010, 492, 2, INK, "none", 0)
+    p.text(1022, 497, "one grid for 8 substeps", 15)
     return p.finish()
 
 
