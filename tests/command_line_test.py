@@ -365,6 +365,7 @@ class CommandLine(unittest.TestCase):
         self.assertTrue(report["budget"]["met"])
         self.assertEqual(report["settings"]["substeps"], str(report["budget"]["substeps"]))
         self.assertIn("budget balanced: 6 substeps with leapfrog", result.stderr)
+        self.assertEqual(report["budget"]["critical_dt_from"], "assumption")
         self.refused(self.headless("--scene", "two_balls", "--budget", "cheap"), 2, "--budget", "fast")
         self.refused(self.headless("--scene", "two_balls", "--budget", "fast", "--set", "substeps=3"), 2,
                      "--budget fast", "substeps=3")

@@ -9,6 +9,7 @@
 #include "core/world.h"
 #include "cpu/cpu_backend.h"
 #include "support/catch.h"
+#include "support/piles.h"
 #include "support/probe_contract.h"
 #include "support/scenes.h"
 
@@ -73,14 +74,23 @@ TEST_CASE("a choice meets its budget, at twice the count as well, and the next c
 TEST_CASE("the critical substep is that of a close packing with a dashpot", "[budget]") {
     BudgetQuestion question = measure::budget_question(test::canonical_question(false, 8.0), BudgetPreset::balanced);
     CHECK(measure::critical_dt(question) == Approx(std::sqrt(0.5) * std::sqrt(1.0 / 1e4)));
-    question.frequency = 200.0;  // a column: dt_c = 2 / w
+    question.probe.settings.balls = 2;
+    question.reading.emplace();
+    question.reading->wall_contacts = 4.0;
+    question.reading->max_stiffness = 4e4;  // a column: dt_c = 2 / w
     CHECK(measure::critical_dt(question) == Approx(0.01));
     // Two balls alone, w = sqrt(2 k / m): the limit of a spring and dashpot, h = 2 (sqrt(1 + z^2) - z).
     const double zeta = 0.2;
-    question.frequency = std::sqrt(2e4);
+    const double c = 2.0 * zeta * std::sqrt(1e4 * 0.5);
+    const auto limit = [](double z) { return 2.0 * (std::sqrt(1.0 + z * z) - z); };
+    question.reading->max_stiffness = 2e4;
+    question.reading->max_damping = 2.0 * c;
+    CHECK(measure::critical_dt(question) * std::sqrt(2e4) == Approx(limit(zeta)));
+    // Held by 8 k and 8 c of a packing, as long as nothing is known.
+    question.reading.reset();
     question.probe.settings.limit_force = false;
     question.probe.scene.restitution = restitution_from_damping_ratio(zeta, false);
-    CHECK(measure::critical_dt(question) * *question.frequency == Approx(2.0 * (std::sqrt(1.0 + zeta * zeta) - zeta)));
+    CHECK(measure::critical_dt(question) * std::sqrt(8e4) == Approx(limit(2.0 * zeta)));
     BudgetQuestion wall = measure::budget_question(test::canonical_question(true, 8.0), BudgetPreset::balanced);
     CHECK(measure::critical_dt(wall) == Approx(0.02));
 }
@@ -88,10 +98,37 @@ TEST_CASE("the critical substep is that of a close packing with a dashpot", "[bu
 TEST_CASE("a stiffer network needs more substeps", "[budget]") {
     BudgetQuestion question = question_of("pile", 300, BudgetPreset::fast);
     const std::uint32_t loose = choose(question).substeps;
-    question.frequency = 4.0 * std::sqrt(8.0 * question.probe.settings.stiffness / question.probe.scene.mass);
+    question.reading.emplace();
+    question.reading->max_stiffness = 128.0 * question.probe.settings.stiffness / question.probe.scene.mass;
     const BudgetChoice choice = choose(question);
     CHECK(choice.substeps > loose);
     CHECK(choice.binding == Demand::stability);
+}
+
+TEST_CASE("of a pile that has settled the budget takes the contacts as they are, as the gauge does", "[budget]") {
+    const test::SettledPile pile = test::with_restitution(test::settled_pile(false, 100), 0.5);
+    Settings settings = pile.scene.settings;
+    settings.dt = 1.0 / 60.0;
+    const Box box{-pile.scene.half_extent, pile.scene.half_extent};
+    BudgetQuestion question = measure::budget_question(
+        {settings, measure::probe_scene(pile.state, settings, box, variety_of(pile.state))}, BudgetPreset::fast);
+    const double assumed = measure::critical_dt(question);
+    CHECK(choose(question).sentence.find("is that of twelve neighbours a ball: too few touch") != std::string::npos);
+    question.reading = test::reading_of(pile);
+    const double gauge = test::gauge_critical_dt(pile);
+    CHECK(gauge != Approx(assumed).epsilon(0.005));
+    CHECK(measure::critical_dt(question) == Approx(gauge));
+    const BudgetChoice choice = choose(question);
+    CHECK(choice.network_measured);
+    CHECK(choice.critical_dt == Approx(gauge));
+    CHECK(choice.sentence.find("is that of the contacts as they are") != std::string::npos);
+    // A few that touch, softer than what is to come, do not make a network.
+    question.reading->contact_ends = question.reading->wall_contacts = 20.0;
+    question.reading->max_stiffness = 2.0 * settings.stiffness;
+    CHECK(measure::critical_dt(question) == Approx(assumed));
+    CHECK_FALSE(choose(question).network_measured);
+    question.reading = MeterReading{};
+    CHECK(measure::critical_dt(question) == Approx(assumed));
 }
 
 TEST_CASE("integrators that heat every contact are not chosen, but can be measured", "[budget]") {

@@ -201,7 +201,8 @@ int run_bench(const Options& options) {
     for (Settings& settings : wanted) {
         try {
             if (preset) {
-                tell(*preset, apply_budget(*preset, setup.scene, setup.seed, settings, simulation.backend()));
+                simulation.load(setup.scene, settings, setup.seed);
+                tell(*preset, apply_budget(*preset, simulation, simulation.backend(), settings));
             }
             simulation.load(setup.scene, settings, setup.seed);
             rows.push_back(measure_row(simulation, steps));

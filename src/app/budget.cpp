@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "app/run_meters.h"
 #include "core/error.h"
 #include "core/world.h"
 
@@ -16,6 +17,15 @@ std::string name_of(measure::BudgetPreset preset) {
 
 std::string name_of(measure::Demand demand) {
     return std::string(measure::demand_names[static_cast<std::size_t>(demand)]);
+}
+
+MeterReading reading_now(Simulation& simulation) {
+    const bool metering = simulation.metering();
+    simulation.set_metering(true);
+    RunMeters meters;
+    meters.read_now(simulation);
+    simulation.set_metering(metering);
+    return meters.record().reading;
 }
 
 Json rung_json(const measure::Rung& rung) {
@@ -65,13 +75,16 @@ Settings with_choice(Settings settings, const measure::BudgetChoice& choice) {
     return settings;
 }
 
-measure::BudgetChoice apply_budget(measure::BudgetPreset preset, const Scene& scene, std::uint64_t seed,
-                                   Settings& settings, Backend& backend) {
-    World world = make_world(scene, settings.balls, seed);
-    world.balls.restitutions = ball_restitutions(scene, settings, settings.balls);
+measure::BudgetChoice apply_budget(measure::BudgetPreset preset, Simulation& simulation, Backend& probes,
+                                   Settings& settings) {
+    settings = simulation.settings();
+    World world = make_world(simulation.scene(), settings.balls, simulation.seed());
+    world.balls.restitutions = simulation.restitutions();
     const measure::ProbeQuestion probe{settings,
                                        measure::probe_scene(world.balls, settings, world.box, variety_of(world.balls))};
-    measure::BudgetChoice choice = measure::choose_substeps(backend, measure::budget_question(probe, preset));
+    measure::BudgetQuestion question = measure::budget_question(probe, preset);
+    question.reading = reading_now(simulation);
+    measure::BudgetChoice choice = measure::choose_substeps(probes, question);
     settings = with_choice(settings, choice);
     return choice;
 }
@@ -92,6 +105,7 @@ Json budget_json(measure::BudgetPreset preset, const measure::BudgetChoice& choi
               {"met", choice.met},
               {"binding", choice.binding ? Json(name_of(*choice.binding)) : Json()},
               {"critical_dt_s", choice.critical_dt},
+              {"critical_dt_from", choice.network_measured ? "contacts" : "assumption"},
               {"float_floor_substeps", choice.floor == 0 ? Json() : Json(choice.floor)},
               {"softness_diameters", choice.softness},
               {"sentence", choice.sentence}};

@@ -192,13 +192,13 @@ int run_headless(const Options& options) {
     }
     const auto preset = parse_budget(options.budget);
     Json budget_report;
+    Simulation simulation = make_simulation(setup, device);
     if (preset) {
-        const measure::BudgetChoice choice =
-            apply_budget(*preset, setup.scene, setup.seed, setup.settings, *device.backend);
+        const measure::BudgetChoice choice = apply_budget(*preset, simulation, simulation.backend(), setup.settings);
         tell(*preset, choice);
         budget_report = budget_json(*preset, choice);
+        simulation.load(setup.scene, setup.settings, setup.seed);
     }
-    Simulation simulation = make_simulation(setup, device);
     const std::uint64_t steps = code ? 0 : steps_to_run(options, setup.settings.dt);
     std::optional<Screenshot> screenshot;
     if (picture) {

@@ -56,9 +56,9 @@ Window::Window(const WindowOptions& options)
 }
 
 void Window::choose_substeps(measure::BudgetPreset preset) {
-    Settings settings = session_.simulation().settings();
+    Settings settings;
     const auto twin = session_.twin_backend();
-    tell(preset, apply_budget(preset, session_.simulation().scene(), session_.simulation().seed(), settings, *twin));
+    tell(preset, apply_budget(preset, session_.simulation(), *twin, settings));
     budget_.choose({budget_of(preset), preset == measure::BudgetPreset::historical});
     session_.want(settings);
 }

@@ -17,6 +17,7 @@ constexpr double settle_s = 0.4;  // settings that are still being changed are n
 constexpr double share_of_frame = 0.15;
 constexpr double least_ms = 3.0;
 constexpr double most_ms = 20.0;
+constexpr int most_patience = 30;            // frames that a reading may come later than the balls it is of
 constexpr std::uint32_t slice_substeps = 8;  // between two looks at the clock
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
@@ -36,6 +37,7 @@ void WindowBudget::stop() {
     chooser_.reset();
     probe_.reset();
     twin_.reset();
+    copy_.reset();
     phase_ = Phase::idle;
     settling_ = false;
 }
@@ -85,6 +87,8 @@ void WindowBudget::look(Session& session, double now_s) {
 // The balls are copied on the device, and looked at when the copy has arrived.
 void WindowBudget::start(Session& session) {
     stop();
+    meters_.ask(session);
+    patience_ = most_patience;
     Backend& backend = session.simulation().backend();
     backend.start_history(1);
     backend.record_history();
@@ -99,11 +103,13 @@ bool WindowBudget::read_state(Session& session) {
     Simulation& simulation = session.simulation();
     BallState state;
     if (simulation.settings().balls > 0) {
-        const auto copy = simulation.backend().poll_history();
-        if (!copy) {
+        if (!copy_) {
+            copy_ = simulation.backend().poll_history();
+        }
+        if (!copy_ || (meters_.awaiting() && --patience_ > 0)) {
             return false;
         }
-        const std::vector<vec4> numbers = typed<vec4>(*copy);
+        const std::vector<vec4> numbers = typed<vec4>(*std::exchange(copy_, std::nullopt));
         const auto half = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
         state.positions.assign(numbers.begin(), half);
         state.velocities.assign(half, numbers.end());
@@ -115,6 +121,9 @@ bool WindowBudget::read_state(Session& session) {
     const measure::ProbeScene scene =
         measure::probe_scene(state, settings, simulation.box(), simulation.variety(), moving);
     question_ = {{settings, scene}, options_.budget, options_.historical, {}, {}};
+    if (const auto& record = meters_.answer()) {
+        question_.reading = record->reading;
+    }
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/window_meters.h"
 #include "app/window_session.h"
 #include "measure/error_budget.h"
 #include "ui/budget.h"
@@ -16,6 +17,8 @@ namespace ballpit::app {
 
 class WindowBudget {
 public:
+    explicit WindowBudget(WindowMeters& meters) : meters_(meters) {}
+
     /// Once a frame. `now_s` of the window's clock; `frame_ms`: what a frame takes; `substep_ms`: what a substep takes,
     /// where it is known.
     void update(Session& session, bool open, double now_s, double frame_ms, std::optional<double> substep_ms);
@@ -47,12 +50,15 @@ private:
     bool read_state(Session& session);
     bool slice();
 
+    WindowMeters& meters_;
     ui::BudgetOptions options_;
     std::optional<Asked> asked_;
     std::optional<Asked> wanted_;
     double wanted_since_s_ = 0.0;
     bool settling_ = false;
     Phase phase_ = Phase::idle;
+    std::optional<Bytes> copy_;  // of the balls, while the reading of the same moment is on its way
+    int patience_ = 0;           // frames
     std::unique_ptr<Backend> twin_;
     measure::BudgetQuestion question_;
     std::optional<measure::CollisionProbe> probe_;

@@ -121,7 +121,7 @@ private:
     Stepping stepping_{session_, clock_};
     WindowLaws laws_;
     WindowMeters meters_;
-    WindowBudget budget_;
+    WindowBudget budget_{meters_};
     WindowExplorer explorer_;
     Play play_;
     ui::Inspection inspection_;

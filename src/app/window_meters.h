@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 
 #include "app/window_session.h"
 #include "ui/meters.h"
@@ -15,16 +16,26 @@ public:
     void restart();
     /// Once a frame; never waits. Closed, nothing is metered or kept.
     void update(Session& session, bool open);
+    /// Asks for a reading of the present moment, open or not. Within a substep there is none to be had: what it needs
+    /// is in use.
+    void ask(Session& session);
+    /// Whether what was asked for is still on its way.
+    bool awaiting() const { return awaited_.has_value(); }
+    /// What arrived since ask().
+    const std::optional<MeterRecord>& answer() const { return answer_; }
     /// Null while closed; valid until the next call.
     const ui::MetersState* describe(const Session& session, bool open);
 
 private:
     void close();
+    void answer(const MeterRecord& record);
 
     measure::EnergyBalance balance_;
     measure::BalanceSeries series_;
-    std::deque<double> times_;  // ms, of the last readings
-    bool asked_ = false;        // for the very first moment, which no substep has metered
+    std::deque<double> times_;       // ms, of the last readings
+    std::optional<double> awaited_;  // s, the time of the moment that was asked for
+    std::optional<MeterRecord> answer_;
+    bool asked_ = false;  // for the very first moment, which no substep has metered
     ui::MetersState state_;
 };
 

@@ -107,6 +107,18 @@ std::string result(const BudgetQuestion& question, const BudgetChoice& choice) {
            (choice.binding ? "; what is missed most: " + demand_words(question, rung, *choice.binding) : "");
 }
 
+// Which network the critical substep is of.
+std::string limit_words(const BudgetQuestion& question, const BudgetChoice& choice) {
+    if (question.historical) {
+        return "";
+    }
+    const bool balls = question.probe.settings.laws.contact;
+    return ". The critical substep, " + number(1000.0 * choice.critical_dt) + " ms, is that of " +
+           (choice.network_measured ? "the contacts as they are"
+            : balls                 ? "twelve neighbours a ball: too few touch to tell"
+                                    : "a ball at a wall");
+}
+
 // Costs go with the count of balls, and with the frequency of contacts: the root of the stiffness, the power -3/2 of
 // the radius (mass).
 std::string fit(const BudgetQuestion& question, const BudgetChoice& choice) {
@@ -161,8 +173,8 @@ double firm_stiffness(const BudgetQuestion& question, double softness) {
 }
 
 std::string budget_sentence(const BudgetQuestion& question, const BudgetChoice& choice) {
-    return result(question, choice) + fit(question, choice) + floor_words(question, choice) +
-           soft_words(question, choice);
+    return result(question, choice) + limit_words(question, choice) + fit(question, choice) +
+           floor_words(question, choice) + soft_words(question, choice);
 }
 
 }  // namespace ballpit::measure

@@ -32,6 +32,12 @@ double contact_frequency(const ProbeQuestion& question) {
     return contact_frequency(question, !question.settings.laws.contact);
 }
 
+// rad/s, of the stiffest ball before balls touch.
+double assumed_frequency(const ProbeQuestion& question) {
+    const double neighbours = question.settings.laws.contact ? 8.0 : 1.0;
+    return std::sqrt(neighbours * question.settings.stiffness / question.scene.mass);
+}
+
 // These two add energy to every contact: no count of theirs is cheaper than one of leapfrog, whose substep costs the
 // same.
 Integrator integrator_for(const BudgetQuestion& question) {
@@ -91,12 +97,25 @@ BudgetQuestion budget_question(const ProbeQuestion& probe, BudgetPreset preset) 
     return {probe, budget_of(preset), preset == BudgetPreset::historical, {}, {}};
 }
 
+bool measures_network(const BudgetQuestion& question) {
+    constexpr double settled = 2.0;  // contacts a ball
+    if (!question.reading) {
+        return false;
+    }
+    const MeterReading& reading = *question.reading;
+    const double assumed = assumed_frequency(question.probe);
+    return reading.max_stiffness > assumed * assumed ||
+           (reading.max_stiffness > 0.0 && reading.contacts() >= settled * question.probe.settings.balls);
+}
+
 double critical_dt(const BudgetQuestion& question) {
+    if (measures_network(question)) {
+        return critical_dt(std::sqrt(question.reading->max_stiffness), question.reading->max_damping);
+    }
     const ProbeScene& scene = question.probe.scene;
     const Settings& settings = question.probe.settings;
     const double k = settings.stiffness;
-    const double neighbours = settings.laws.contact ? 8.0 : 1.0;
-    const double frequency = question.frequency.value_or(std::sqrt(neighbours * k / scene.mass));
+    const double frequency = assumed_frequency(question.probe);
     const double reduced = settings.laws.contact ? 0.5 * scene.mass : scene.mass;
     const double c = 2.0 * damping_ratio(question.probe) * std::sqrt(k * reduced);
     return critical_dt(frequency, c * frequency * frequency / k);  // every contact has this c and k
@@ -141,6 +160,7 @@ BudgetChooser::BudgetChooser(Backend& backend, const BudgetQuestion& question)
     }
     choice_.floor = float_floor(question_);
     choice_.critical_dt = critical_dt(question_);
+    choice_.network_measured = measures_network(question_);
     if (question_.historical) {
         ladder_ = {historical_substeps};
         return;

@@ -62,6 +62,7 @@ struct BudgetChoice {
     std::vector<Rung> tried;        // by count
     std::uint32_t floor = 0;        // more substeps than this only add rounding; 0: no such floor
     double critical_dt = 0.0;       // s
+    bool network_measured = false;  // that is of the contacts as they are; else of neighbours to be expected
     double softness = 0.0;          // the largest exact overlap, in diameters
     std::string sentence;           // what was chosen and why
 };
@@ -70,15 +71,19 @@ struct BudgetChoice {
 struct BudgetQuestion {
     ProbeQuestion probe;  // its substeps and integrator are those that run now
     ErrorBudget budget;
-    bool historical = false;           // the settings of the project that this one started from, measured
-    std::optional<double> frequency;   // rad/s: the stiffest ball of the contact network, where it was measured
-    std::optional<double> substep_ms;  // what a substep takes, where it is known
+    bool historical = false;              // the settings of the project that this one started from, measured
+    std::optional<MeterReading> reading;  // of the balls as they are, where they were metered
+    std::optional<double> substep_ms;     // what a substep takes, where it is known
 };
 
 BudgetQuestion budget_question(const ProbeQuestion& probe, BudgetPreset preset);
 
-/// s: the largest stable substep (stability.h) with the question's frequency, else with sqrt(8 k / m): twelve
-/// neighbours, close packed; sqrt(k / m) where balls touch walls alone.
+/// Whether critical_dt() is that of the reading: there are two contacts a ball, as in a network that holds itself, or
+/// its stiffest ball is stiffer than what is assumed. A few that touch say nothing of a pile that still falls.
+bool measures_network(const BudgetQuestion& question);
+
+/// s: the largest stable substep (stability.h), of the reading where measures_network(), else with sqrt(8 k / m):
+/// twelve neighbours, close packed; sqrt(k / m) where balls touch walls alone.
 double critical_dt(const BudgetQuestion& question);
 
 /// 1/s: rates of collisions times what one of them makes or eats of the energy that takes part, a third of a ball's

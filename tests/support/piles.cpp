@@ -174,6 +174,11 @@ double true_critical_dt(const SettledPile& pile) {
     return dt;
 }
 
+MeterReading reading_of(const SettledPile& pile) {
+    Simulation simulation = resumed(pile, settling_dt);
+    return record_of(simulation).reading;
+}
+
 double gauge_critical_dt(const SettledPile& pile) {
     Simulation simulation = resumed(pile, settling_dt);
     return settling_dt / measure::dt_over_critical(record_of(simulation), simulation.settings());

@@ -30,6 +30,9 @@ SettledPile kicked(SettledPile pile, double share);
 /// dt^2 K / 4 is no longer positive, by power iteration in double.
 double true_critical_dt(const SettledPile& pile);
 
+/// What the meters read of it.
+MeterReading reading_of(const SettledPile& pile);
+
 /// s: what the gauge has for dt_c.
 double gauge_critical_dt(const SettledPile& pile);
 
