@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/world.h"
 #include "cpu/cpu_backend.h"
 #include "support/catch.h"
 #include "support/probe_contract.h"
@@ -31,11 +30,6 @@ void check_same(const ProbeResult& a, const ProbeResult& b) {
         CHECK(a.groups[i].overlap.mean == b.groups[i].overlap.mean);
         CHECK(a.groups[i].duration.mean == b.groups[i].duration.mean);
     }
-}
-
-ProbeQuestion question_of(const Scene& scene) {
-    const World world = make_world(scene, scene.settings.balls, test::seed_of(scene));
-    return {scene.settings, measure::probe_scene(world.balls, scene.settings, world.box, variety_of(world.balls))};
 }
 
 }  // namespace
@@ -132,7 +126,7 @@ TEST_CASE("every shipped scene can be probed", "[probe]") {
     for (const std::string_view name : test::shipped_scene_names) {
         CAPTURE(name);
         const Scene scene = test::shipped_scene(name);
-        const ProbeQuestion question = question_of(scene);
+        const ProbeQuestion question = test::question_of(scene, scene.settings.balls);
         const ProbeResult result = probe(question);
         const std::size_t kinds = (scene.settings.laws.contact ? 1 : 0) + (scene.settings.laws.walls ? 1 : 0);
         CHECK(result.groups.size() == 2 * kinds);

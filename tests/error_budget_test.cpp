@@ -28,12 +28,7 @@ BudgetChoice choose(const BudgetQuestion& question) {
 }
 
 BudgetQuestion question_of(std::string_view name, std::uint32_t balls, BudgetPreset preset) {
-    const Scene scene = test::shipped_scene(name);
-    const World world = make_world(scene, balls, test::seed_of(scene));
-    Settings settings = scene.settings;
-    settings.balls = balls;
-    const auto of_scene = measure::probe_scene(world.balls, settings, world.box, variety_of(world.balls));
-    return measure::budget_question({settings, of_scene}, preset);
+    return measure::budget_question(test::question_of(test::shipped_scene(name), balls), preset);
 }
 
 const Rung& rung(const BudgetChoice& choice, std::uint32_t substeps) {

@@ -92,6 +92,16 @@ TEST_CASE("before the first sweep the panel says what it would do, and a click b
     CHECK(started);
 }
 
+TEST_CASE("a sweep that was stopped says what it has", "[ui]") {
+    test::HeadlessGui gui;
+    Shown shown;
+    CHECK(contains(panel_text(gui, shown.state), "3 choices, each 0.5 s"));
+    shown.explorer.wanted = 12;
+    CHECK(contains(panel_text(gui, shown.state), "3 choices of 12, then it was ended, each 0.5 s"));
+    shown.explorer.rows = {};
+    CHECK(contains(panel_text(gui, shown.state), "Ended before the first choice was whole"));
+}
+
 TEST_CASE("while a sweep runs it shows how far it is and can be stopped", "[ui]") {
     test::HeadlessGui gui;
     Shown shown;

@@ -9,6 +9,7 @@
 #include "app/report.h"
 #include "app/setup.h"
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "measure/statistics.h"
 
 namespace ballpit::app {
@@ -58,7 +59,7 @@ Row measure_row(Simulation& simulation, std::uint64_t steps) {
     backend.set_timing(true);
     const auto start = std::chrono::steady_clock::now();
     run_steps(simulation, steps);
-    const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double wall_ms = milliseconds_since(start);
     backend.set_timing(false);
 
     const Settings& settings = simulation.settings();

@@ -17,6 +17,7 @@
 #include "core/error.h"
 #include "core/grid_reuse.h"
 #include "core/scene_writer.h"
+#include "core/stopwatch.h"
 #include "measure/energy.h"
 #include "measure/stability.h"
 
@@ -222,7 +223,7 @@ int run_headless(const Options& options) {
         trace.add_row();
     }
     simulation.backend().finish();
-    const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double wall_ms = milliseconds_since(start);
     trace.commit();
     simulation.set_metering(true);
     meters.read_now(simulation);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/stopwatch.h"
 #include "measure/statistics.h"
 
 namespace ballpit::app {
@@ -105,9 +106,6 @@ void LawMeter::finish_law() {
 
 void LawMeter::update(double budget_ms) {
     const auto start = std::chrono::steady_clock::now();
-    const auto spent_ms = [&start] {
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    };
     constexpr std::size_t runs_a_law = warm_up + 2 * pairs;
     do {
         if (!busy() || (!begun_ && !begin_law())) {
@@ -126,7 +124,7 @@ void LawMeter::update(double budget_ms) {
         } else {
             return;  // times are still to come
         }
-    } while (spent_ms() < budget_ms);
+    } while (milliseconds_since(start) < budget_ms);
 }
 
 }  // namespace ballpit::app

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/stopwatch.h"
+
 namespace ballpit::app {
 
 namespace {
@@ -46,7 +48,7 @@ ProbeWork work_out(const measure::BufferSample& sample, const ProbeWants& wants)
             work.values = measure::radius_values(sample);
             break;
     }
-    work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    work.ms = milliseconds_since(start);
     return work;
 }
 

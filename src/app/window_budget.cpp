@@ -5,6 +5,7 @@
 
 #include "app/budget.h"
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "gl/error.h"
 #include "measure/budget_words.h"
 
@@ -19,10 +20,6 @@ constexpr double least_ms = 3.0;
 constexpr double most_ms = 20.0;
 constexpr int most_patience = 30;            // frames that a reading may come later than the balls it is of
 constexpr std::uint32_t slice_substeps = 8;  // between two looks at the clock
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 

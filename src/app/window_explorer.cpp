@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "cpu/cpu_backend.h"
 #include "gl/error.h"
 #include "measure/sweep_points.h"
@@ -17,10 +18,6 @@ constexpr double run_seconds = 1.0;
 constexpr double run_limit_s = 10.0;
 
 using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 std::optional<double> allowed(const measure::ErrorBudget& budget, measure::SweepMetric metric) {
     switch (metric) {
@@ -75,10 +72,10 @@ void WindowExplorer::update(bool open, double frame_ms) {
     };
     try {
         const auto start = Clock::now();
-        while (running_ && ms_since(start) < slice_ms) {
+        while (running_ && milliseconds_since(start) < slice_ms) {
             running_ = sweep_->advance(slice_ms);
         }
-        worked_ms_ += ms_since(start);
+        worked_ms_ += milliseconds_since(start);
     } catch (const DeviceError& error) {
         failed(error);
     } catch (const gl::Error& error) {

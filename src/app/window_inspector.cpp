@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/ledger.h"
+#include "core/stopwatch.h"
 
 namespace ballpit::app {
 
@@ -132,7 +133,7 @@ void Inspector::read_now(Session& session, double now_s) {
         keys_position_ = session.stepper().position();
     }
     if (read) {
-        read_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        read_ms_ = milliseconds_since(start);
     }
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "core/stopwatch.h"
+
 namespace ballpit::app {
 
 namespace {
@@ -74,7 +76,7 @@ void LiveCheck::run(const Schedule& schedule, const SubstepParams<double>& param
         }
         ended_[stage] = i + 1 == what.dispatches.size() || what.dispatches[i + 1].stage != dispatch.stage;
     }
-    ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    ms_ += milliseconds_since(start);
 }
 
 bool LiveCheck::holds_for_place() const {

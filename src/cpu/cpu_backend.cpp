@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/contact.h"
+#include "core/stopwatch.h"
 #include "cpu/assign_cells.h"
 #include "cpu/bitonic_sort.h"
 #include "cpu/bitonic_sort_fused.h"
@@ -79,10 +80,6 @@ struct CpuState final : SavedState {
     std::vector<Vec4<Real>> built_positions;
     Status status{};
 };
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 

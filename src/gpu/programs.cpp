@@ -5,6 +5,8 @@
 #include <chrono>
 #include <string>
 
+#include "core/stopwatch.h"
+
 namespace ballpit::gpu {
 
 std::vector<std::string_view> defines_of(Features features) {
@@ -31,8 +33,7 @@ Programs::Compiled& Programs::get(const Program& program) {
     compiled.params = ParamsBlock(compiled.program);
     compiled.dispatch_constants = compiled.program.uniform("dispatch_constants");
     if (!shipped_.empty() && !shipped_.contains(program)) {
-        const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-        on_demand_.push_back({program, spent.count()});
+        on_demand_.push_back({program, milliseconds_since(start)});
     }
     return compiled_.emplace(program, std::move(compiled)).first->second;
 }

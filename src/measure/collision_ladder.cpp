@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "measure/float_spacing.h"
+
 namespace ballpit::measure {
 
 namespace {
@@ -22,9 +24,7 @@ double expected_restitution(Integrator integrator, double exact, std::uint32_t s
 
 // What rounding of positions makes of a speed that is seen over one substep.
 double rounding_error(const ProbeQuestion& question, double speed) {
-    const auto place = static_cast<float>(question.scene.distance);
-    const auto ulp = static_cast<double>(std::nextafter(place, 2.0f * place) - place);
-    return ulp / (speed * question.settings.dt);
+    return float_spacing(question.scene.distance) / (speed * question.settings.dt);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "core/contact.h"
 #include "measure/budget_words.h"
+#include "measure/float_spacing.h"
 #include "measure/stability.h"
 
 namespace ballpit::measure {
@@ -140,9 +141,8 @@ std::uint32_t float_floor(const BudgetQuestion& question) {
     if (probe.settings.laws.compensated || probe.scene.typical_speed == 0.0) {
         return 0;
     }
-    const auto distance = static_cast<float>(probe.scene.distance);
-    const auto ulp = static_cast<double>(std::nextafter(distance, std::numeric_limits<float>::infinity()) - distance);
-    const double least_dt = ulp / (2.0 * question.budget.restitution * probe.scene.typical_speed);
+    const double least_dt =
+        float_spacing(probe.scene.distance) / (2.0 * question.budget.restitution * probe.scene.typical_speed);
     const double most = std::floor(probe.settings.dt / least_dt);
     return static_cast<std::uint32_t>(std::clamp(most, 1.0, 1e9));
 }

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 
+#include "core/stopwatch.h"
 #include "measure/extreme_rows.h"
 
 namespace ballpit::measure {
@@ -77,12 +78,8 @@ ExtremeRow run_extreme(const ExtremeCase& extreme, const MakeBackend& make_backe
     } catch (const std::exception& error) {
         trial.expect(false, std::string("broken off: ") + error.what());
     }
-    return {std::string(extreme.id),
-            std::string(extreme.input),
-            std::string(extreme.right),
-            trial.claims(),
-            trial.signs(),
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+    return {std::string(extreme.id), std::string(extreme.input),        std::string(extreme.right), trial.claims(),
+            trial.signs(),           milliseconds_since(start) / 1000.0};
 }
 
 }  // namespace ballpit::measure

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/contact.h"
+#include "measure/float_spacing.h"
 
 namespace ballpit::measure {
 
@@ -88,11 +89,10 @@ std::optional<Gauge> float_floor(const MeterRecord& record, const Settings& sett
     const double mean_square = 2.0 * reading.kinetic / reading.mass;
     const double fall = 2.0 * glm::length(record.gravity) * 2.0 * largest_radius;
     const double speed = std::sqrt(std::max(mean_square, fall));
-    const auto b = static_cast<float>(largest_coordinate);
-    if (!(speed > 0.0) || !(b > 0.0f)) {
+    if (!(speed > 0.0) || !(largest_coordinate > 0.0)) {
         return std::nullopt;
     }
-    const auto ulp = static_cast<double>(std::nextafter(b, std::numeric_limits<float>::infinity()) - b);
+    const double ulp = float_spacing(largest_coordinate);
     const double dt = substep(settings);
     Gauge gauge{"float floor", "", dt > 0.0 ? 0.5 * ulp / (dt * speed) : 0.0, 1e-3, 1e-2, false, "", std::nullopt};
     gauge.text = "Rounding of positions, " + number(ulp) + " m at the walls, against the way of a ball at " +

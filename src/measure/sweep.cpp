@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
+
+#include "core/stopwatch.h"
+#include "measure/float_spacing.h"
 
 namespace ballpit::measure {
 
@@ -32,7 +34,7 @@ Settings with_point(Settings settings, const SweepPoint& point) {
 
 Settings with_row(Settings settings, const SweepRow& row) {
     settings.cell_factor = row.cell_factor;
-    return with_point(std::move(settings), row.point);
+    return with_point(settings, row.point);
 }
 
 SweepPoint point_of(const Settings& settings) {
@@ -79,9 +81,7 @@ void Sweep::choose_reference(const BallState& start) {
     probe_scene_ = measure::probe_scene(start, settings, simulation.box(), simulation.variety());
     const bool touches = settings.laws.contact || settings.laws.walls;
     pair_frequency_ = touches ? contact_frequency({settings, probe_scene_}, !settings.laws.contact) : 0.0;
-    float_floor_ = static_cast<double>(
-        std::nextafter(static_cast<float>(probe_scene_.distance), std::numeric_limits<float>::max()) -
-        static_cast<float>(probe_scene_.distance));
+    float_floor_ = float_spacing(probe_scene_.distance);
     const double contacts_a_step = pair_frequency_ * settings.dt / std::numbers::pi;
     reference_.substeps =
         std::max(1u, static_cast<std::uint32_t>(std::ceil(reference_substeps_a_contact * contacts_a_step)));
@@ -158,7 +158,7 @@ void Sweep::finish_reference() {
 bool Sweep::advance(double budget_ms) {
     const auto start = std::chrono::steady_clock::now();
     work(budget_ms);
-    spent_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    spent_ms_ += milliseconds_since(start);
     return !done();
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/grid_reuse.h"
+#include "core/stopwatch.h"
 #include "measure/statistics.h"
 #include "measure/sweep.h"
 
@@ -158,7 +159,7 @@ void Sweep::advance_probe(double budget_ms) {
     }
     const auto start = std::chrono::steady_clock::now();
     while (!probe_->advance(probe_slice)) {
-        if (std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() > budget_ms) {
+        if (milliseconds_since(start) > budget_ms) {
             return;
         }
     }

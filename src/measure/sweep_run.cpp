@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/stopwatch.h"
+
 namespace ballpit::measure {
 
 namespace {
@@ -30,7 +32,7 @@ bool SweepRun::advance(double budget_ms) {
         simulation_.substep();
     }
     simulation_.backend().finish();
-    const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double ms = milliseconds_since(start);
     this_step_ms_ += ms;
     spent_ms_ += ms;
     substeps_ += wanted;

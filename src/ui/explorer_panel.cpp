@@ -32,6 +32,20 @@ std::optional<double> shown_error(const SweepRow& row, SweepMetric metric) {
     return value && std::isfinite(*value) ? std::optional(std::max(*value, smallest_shown)) : std::nullopt;
 }
 
+// What the sweep that ended has left.
+std::string outcome(const ExplorerState& explorer) {
+    if (explorer.stale) {
+        return "The scene is another one now than when this was measured.";
+    }
+    if (explorer.rows.empty()) {
+        return "Ended before the first choice was whole: the exact run that positions are compared with comes first.";
+    }
+    const std::string of_all =
+        explorer.rows.size() < explorer.wanted ? format(" of %zu, then it was ended", explorer.wanted) : "";
+    return format("%zu choices%s, each %.3g s of the scene from its start", explorer.rows.size(), of_all.c_str(),
+                  explorer.seconds);
+}
+
 void controls(const ExplorerState& explorer, Commands& commands) {
     if (explorer.running) {
         if (ImGui::Button("Stop")) {
@@ -51,9 +65,7 @@ void controls(const ExplorerState& explorer, Commands& commands) {
         wrapped_dim_text(explorer.wanted == 0
                              ? "Runs copies of the scene from its start with other substeps and integrators, and with "
                                "compensated sums."
-                         : explorer.stale ? "The scene is another one now than when this was measured."
-                                          : format("%zu choices, each %.3g s of the scene from its start",
-                                                   explorer.rows.size(), explorer.seconds));
+                             : outcome(explorer));
     }
 }
 

@@ -11,33 +11,19 @@ namespace ballpit::test {
 namespace {
 
 constexpr double g = 9.8;
-constexpr double floor_depth = 1.125;  // m below the middle of the box
-
-// Sixteen balls let go with their centres around 1.1 m over the floor.
-Scene drop_scene(bool compensated, Integrator integrator, double dt) {
-    std::vector<BallSpec> balls;
-    balls.reserve(16);
-    for (int i = 0; i < 16; ++i) {
-        balls.push_back(ball({0.0, 0.0, 1.1 - floor_depth + 0.01 * (i - 7.5) / 8.0}, {}));
-    }
-    Scene scene = wall_scene(balls, integrator, dt);
-    scene.half_extent = {1.0, 1.0, floor_depth};
-    scene.settings.laws.gravity = true;
-    scene.settings.laws.compensated = compensated;
-    return scene;
-}
 
 // m by which rounding moved a ball in its first second, the largest of all. The oracle has the same integrator and the
 // same constants, as the machine rounds them: what is left is what the sums have lost.
 double rounding_of_drops(const Machine& machine, bool compensated, Integrator integrator, int n) {
     const double dt = 1.0 / (60.0 * n);
-    const Scene scene = drop_scene(compensated, integrator, dt);
+    Scene scene = drop_scene(integrator, dt);
+    scene.settings.laws.compensated = compensated;
     Simulation simulation = start(machine, scene);
     run(simulation, 60 * n);
     const BallState end = simulation.raw_state();
     const auto constant = [&](double value) { return machine.rounding == 0.0 ? value : stored(value); };
     const SpringContact floor{canonical_stiffness, 1.0, 0.0, true, -constant(g)};
-    const double up = floor_depth - stored(0.1);  // from the middle of the box to the floor, for the lowest point
+    const double up = drop_depth - stored(0.1);  // from the middle of the box to the floor, for the lowest point
     double worst = 0.0;
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         const double z = scene.balls[i].position.z;

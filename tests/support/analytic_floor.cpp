@@ -17,23 +17,8 @@ constexpr double g = 9.8;
 
 std::string_view name_of(Integrator integrator) { return integrator_names[static_cast<std::size_t>(integrator)]; }
 
-constexpr double floor_depth = 1.125;  // m below the middle of the box
-
-// Sixteen balls let go with their centres around 1.1 m over the floor.
-Scene bounce_scene(Integrator integrator, double dt) {
-    std::vector<BallSpec> balls;
-    balls.reserve(16);
-    for (int i = 0; i < 16; ++i) {
-        balls.push_back(ball({0.0, 0.0, 1.1 - floor_depth + 0.01 * (i - 7.5) / 8.0}, {}));
-    }
-    Scene scene = wall_scene(balls, integrator, dt);
-    scene.half_extent = {1.0, 1.0, floor_depth};
-    scene.settings.laws.gravity = true;
-    return scene;
-}
-
 double height_over_floor(const Scene& scene, std::size_t i) {
-    return stored(scene.balls[i].position.z) + floor_depth - stored(0.1);
+    return stored(scene.balls[i].position.z) + drop_depth - stored(0.1);
 }
 
 }  // namespace
@@ -48,12 +33,12 @@ void a6_bounces_on_the_floor(const Machine& machine) {
             if (integrator == Integrator::forward_euler) {
                 continue;
             }
-            const Scene scene = bounce_scene(integrator, dt);
+            const Scene scene = drop_scene(integrator, dt);
             const Motion end = motion_after(machine, scene, 1.0);
             double worst = 0.0;
             for (std::size_t i = 0; i < 16; ++i) {
                 const double height = height_over_floor(scene, i);
-                const double reached = end.x[i].z + floor_depth - stored(0.1);
+                const double reached = end.x[i].z + drop_depth - stored(0.1);
                 const double error = reached - bouncing(height, wall_frequency, g, 1.0).first;
                 worst = std::max(worst, std::abs(error));
                 const SpringContact floor{canonical_stiffness, 1.0, 0.0, true, -g};
@@ -85,8 +70,8 @@ void a6_bounces_on_the_floor(const Machine& machine) {
 
 void a6_touch_and_depth(const Machine& machine) {
     constexpr double dt = 1e-4;
-    Simulation simulation = start(machine, bounce_scene(Integrator::leapfrog, dt));
-    Scene scene = bounce_scene(Integrator::leapfrog, dt);
+    Simulation simulation = start(machine, drop_scene(Integrator::leapfrog, dt));
+    Scene scene = drop_scene(Integrator::leapfrog, dt);
     double depth = 0.0;
     double touched = 0.0;
     double left = 0.0;
@@ -94,7 +79,7 @@ void a6_touch_and_depth(const Machine& machine) {
     const double height = height_over_floor(scene, 8);
     for (int i = 1; i <= 5000; ++i) {
         simulation.substep();
-        const double gap = positions_of(simulation)[8].z + floor_depth - stored(0.1);
+        const double gap = positions_of(simulation)[8].z + drop_depth - stored(0.1);
         depth = std::max(depth, -gap);
         touched += gap < 0.0 && touched == 0.0 ? i * dt : 0.0;
         left = gap < 0.0 ? i * dt : left;

@@ -78,6 +78,18 @@ Scene wall_scene(std::vector<BallSpec> balls, Integrator integrator, double dt) 
     return scene;
 }
 
+Scene drop_scene(Integrator integrator, double dt) {
+    std::vector<BallSpec> balls;
+    balls.reserve(16);
+    for (int i = 0; i < 16; ++i) {
+        balls.push_back(ball({0.0, 0.0, 1.1 - drop_depth + 0.01 * (i - 7.5) / 8.0}, {}));
+    }
+    Scene scene = wall_scene(balls, integrator, dt);
+    scene.half_extent = {1.0, 1.0, drop_depth};
+    scene.settings.laws.gravity = true;
+    return scene;
+}
+
 Scene gas_scene(Integrator integrator, double dt, std::uint32_t count) {
     Scene scene = scene_of({}, integrator, dt);
     const double volume = 4.0 / 3.0 * std::numbers::pi * gas_radius * gas_radius * gas_radius;

@@ -30,6 +30,12 @@ Scene scene_of(std::vector<BallSpec> balls, Integrator integrator, double dt);
 
 /// The same with walls.
 Scene wall_scene(std::vector<BallSpec> balls, Integrator integrator, double dt);
+
+/// Sixteen balls let go with their centres around 1.1 m over the floor, which is drop_depth (m) below the middle of the
+/// box; nothing takes energy from them.
+inline constexpr double drop_depth = 1.125;
+Scene drop_scene(Integrator integrator, double dt);
+
 /// A gas without loss in a box: `count` balls of gas_radius and 1 kg, a tenth of the volume, kT = 1 J.
 Scene gas_scene(Integrator integrator, double dt, std::uint32_t count);
 inline constexpr double gas_radius = 0.0575;  // m

@@ -4,7 +4,9 @@
 #include <numbers>
 
 #include "core/contact.h"
+#include "core/world.h"
 #include "support/catch.h"
+#include "support/scenes.h"
 
 namespace ballpit::test {
 
@@ -32,6 +34,13 @@ DampedBounds damped_bounds(double zeta, double e, double n) {
 }
 
 }  // namespace
+
+ProbeQuestion question_of(const Scene& scene, std::uint32_t balls) {
+    const World world = make_world(scene, balls, seed_of(scene));
+    Settings settings = scene.settings;
+    settings.balls = balls;
+    return {settings, measure::probe_scene(world.balls, settings, world.box, variety_of(world.balls))};
+}
 
 ProbeQuestion canonical_question(bool wall, double substeps_a_contact) {
     ProbeQuestion question;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/backend.h"
+#include "core/scene.h"
 #include "measure/collision_probe.h"
 
 namespace ballpit::test {
@@ -10,6 +11,9 @@ namespace ballpit::test {
 /// loss, with leapfrog and `substeps` (not always whole) a contact.
 measure::ProbeQuestion canonical_question(bool wall, double substeps_a_contact);
 measure::ProbeQuestion damped_question(double damping_ratio, bool limit_force, double substeps_a_contact);
+
+/// Of the scene at its start with `balls` of them.
+measure::ProbeQuestion question_of(const Scene& scene, std::uint32_t balls);
 
 void probe_finds_elastic_errors(Backend& backend);
 void probe_finds_historical_gain(Backend& backend);
