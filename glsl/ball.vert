@@ -12,7 +12,7 @@ uniform bool ghosts;                     // see-through balls, or all others
 layout(location = 0) in vec3 vertex;
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 2) in vec2 vertex_uv;
-layout(location = 3) in vec4 ball;       // centre, radius
+layout(location = 3) in vec4 state;      // centre, radius
 layout(location = 4) in vec4 velocity;   // velocity, mass
 
 out vec3 place;
@@ -21,6 +21,7 @@ out vec2 uv;
 flat out vec4 tint;
 
 void main() {
+    vec4 ball = whole_ball(state);
     uint id = uint(gl_InstanceID);
     vec4 turn = ball_turn(id);
     place = ball.xyz + ball.w * turned(turn, vertex);
@@ -31,6 +32,9 @@ void main() {
 #else
     tint = ball_tint(id, ball.xyz, velocity.xyz);
 #endif
+    if (state.w < 0.0) {
+        tint = quarantine_tint;
+    }
     bool drawn = is_finite(ball);
 #ifdef FADED
     shown = presence_of(ball);

@@ -5,7 +5,7 @@
 #include "shared/fade_ball.glsl"
 
 layout(location = 0) in vec2 corner;     // -1 or 1
-layout(location = 3) in vec4 ball;       // centre, radius
+layout(location = 3) in vec4 state;      // centre, radius
 
 out vec2 across;
 flat out float strength;
@@ -13,6 +13,7 @@ flat out float strength;
 const float reach = 3.0;                 // radii above the ground from where a ball darkens nothing
 
 void main() {
+    vec4 ball = whole_ball(state);
     float height = (ball.z - ball.w - frame.box_lower.z) / ball.w;
     float fade = min(1.0 - height / reach, 1.0);
     if (!is_finite(ball) || !(fade > 0.0)) {

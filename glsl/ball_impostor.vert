@@ -11,7 +11,7 @@ uniform bool ghosts;                     // see-through balls, or all others
 #endif
 
 layout(location = 0) in vec2 corner;     // -1 or 1
-layout(location = 3) in vec4 ball;       // centre, radius
+layout(location = 3) in vec4 state;      // centre, radius
 layout(location = 4) in vec4 velocity;   // velocity, mass
 
 out vec3 ray;                            // from the eye to the square
@@ -23,6 +23,7 @@ flat out float texel_scale;              // texture heights a pixel, at the ball
 const float pi = 3.14159265;
 
 void main() {
+    vec4 ball = whole_ball(state);
     vec3 axis = ball.xyz - frame.eye;
     float squared = dot(axis, axis) - ball.w * ball.w;
     bool drawn = is_finite(ball) && squared > 0.0;   // no silhouette from within
@@ -46,6 +47,9 @@ void main() {
 #else
     tint = ball_tint(id, ball.xyz, velocity.xyz);
 #endif
+    if (state.w < 0.0) {
+        tint = quarantine_tint;
+    }
     turn = ball_turn(id);
     texel_scale = length(axis) / (pi * ball.w * frame.pixels_per_radian);
     gl_Position = frame.view_projection * vec4(place, 1.0);

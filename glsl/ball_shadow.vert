@@ -7,11 +7,12 @@
 #include "shared/shadow.glsl"
 
 layout(location = 0) in vec2 corner;     // -1 or 1
-layout(location = 3) in vec4 ball;       // centre, radius
+layout(location = 3) in vec4 state;      // centre, radius
 
 out vec2 across;
 
 void main() {
+    vec4 ball = whole_ball(state);
     vec3 axis = ball.xyz - frame.light_position;
     float away = length(axis);
     vec3 ahead = axis / away;

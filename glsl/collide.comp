@@ -6,6 +6,8 @@
 // Laws that the scene does not declare are not compiled in, declarations included.
 #include "shared/dispatch.glsl"
 #ifdef DIAGNOSTICS
+#define QUARANTINE
+#include "shared/quarantine.glsl"
 #include "shared/status.glsl"
 #endif
 #if defined(LAW_CONTACT) || defined(LAW_WALLS)
@@ -50,9 +52,15 @@ layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock {
 #if defined(LAW_DASHPOT) && !defined(LAW_BALL_RESTITUTION)
     float damping_ratio;         // dashpot zeta of every ball
 #endif
-#ifdef LAW_WALLS
+#ifdef LAW_SEMI_IMPLICIT
+    float damping_time;          // s
+#endif
+#if defined(LAW_WALLS) || defined(DIAGNOSTICS)
     vec3 box_lower;              // m
+#endif
+#ifdef LAW_WALLS
     vec3 box_upper;
+    float wall_depth;            // m: deeper in a wall, a ball is pushed no harder
 #ifdef LAW_MOVING_WALLS
     vec3 lower_velocity;         // m/s, of the lower walls
     vec3 upper_velocity;
@@ -183,7 +191,29 @@ vec3 moved(vec3 x, vec3 way, inout vec3 left_out) {
 #endif
 }
 
-bool is_finite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
+#ifdef DIAGNOSTICS
+// Along each axis where the ball was, or else in the box's corner.
+vec3 last_place(vec3 x) {
+    vec3 place = params.box_lower;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (can_be_squared(vec3(x[axis]))) {
+            place[axis] = x[axis];
+        }
+    }
+    return place;
+}
+
+#ifdef LAW_SPRING
+void count_speed(vec3 way, float radius) {
+    precise float way_squared = way.x * way.x + way.y * way.y + way.z * way.z;
+    precise float radius_squared = radius * radius;
+    if (way_squared > radius_squared) {
+        atomicOr(status.bits, STATUS_TOO_FAST);
+        atomicAdd(status.too_fast, 1u);
+    }
+}
+#endif
+#endif
 
 void main() {
     uint id = global_index();
@@ -192,6 +222,15 @@ void main() {
     }
     vec4 position = positions[id];
     vec4 velocity = velocities[id];
+#ifdef QUARANTINE
+    if (position.w < 0.0) {
+#ifdef LAW_CONTACT
+        next_positions[id] = position;
+        next_velocities[id] = velocity;
+#endif
+        return;
+    }
+#endif
     Ball ball = make_ball(id, position, velocity);
     vec3 left_of_x = vec3(0.0);
     vec3 left_of_v = vec3(0.0);
@@ -206,15 +245,27 @@ void main() {
 #ifdef INTEGRATOR_VELOCITY_VERLET
     v = second_kick(v, a, left_of_v);
 #endif
-    vec3 x = moved(ball.position, way(ball, v, a), left_of_x);
-#ifdef LAW_COMPENSATED
-    compensations[id] = Compensation(left_of_x.x, left_of_x.y, left_of_x.z, left_of_v.x, left_of_v.y, left_of_v.z);
-#endif
+    vec3 step = way(ball, v, a);
+    vec3 x = moved(ball.position, step, left_of_x);
 #ifdef DIAGNOSTICS
-    if (!is_finite(x) || !is_finite(v)) {
+    if (!can_be_squared(x) || !can_be_squared(v)) {
         atomicOr(status.bits, STATUS_NOT_FINITE);
         atomicAdd(status.not_finite, 1u);
+        atomicMax(status.quarantined_ball, id + 1u);
+        x = last_place(ball.position);
+        v = vec3(0.0);
+        left_of_x = vec3(0.0);
+        left_of_v = vec3(0.0);
+        position.w = -position.w;
     }
+#ifdef LAW_SPRING
+    else {
+        count_speed(step, position.w);
+    }
+#endif
+#endif
+#ifdef LAW_COMPENSATED
+    compensations[id] = Compensation(left_of_x.x, left_of_x.y, left_of_x.z, left_of_v.x, left_of_v.y, left_of_v.z);
 #endif
 #ifdef LAW_CONTACT
     next_positions[id] = vec4(x, position.w);

@@ -54,7 +54,7 @@ void add_pair(Ball a, uint other, inout Missed missed) {
     precise vec3 offset = a.position - position.xyz;
     precise float reach = a.radius + radius_of(position);
     precise float reach_squared = reach * reach;
-    if (length_squared(offset) < reach_squared &&
+    if (position.w > 0.0 && length_squared(offset) < reach_squared &&
         !are_adjacent(cell_coordinates(a.position), cell_coordinates(built_positions[other].xyz))) {
         ++missed.count;
     }
@@ -76,7 +76,9 @@ void main() {
         float way_squared = length_squared(way);
         atomicMax(farthest, floatBitsToUint(isnan(way_squared) ? 0.0 : way_squared));   // in order, as none is negative
         Missed missed = Missed(0u);
-        add_neighbours(Ball(id, position.xyz, radius_of(position)), missed);
+        if (position.w > 0.0) {   // those in quarantine touch nobody
+            add_neighbours(Ball(id, position.xyz, radius_of(position)), missed);
+        }
         if (missed.count > 0u) {
             atomicOr(status.bits, STATUS_MISSED);
             atomicAdd(status.missed, missed.count);

@@ -17,7 +17,7 @@ const float smallest = 4.0;              // pixels: radius of the outline of bal
 const float thinnest = 2.0;              // pixels
 
 void main() {
-    vec4 ball = texelFetch(elements, int(id));
+    vec4 ball = whole_ball(texelFetch(elements, int(id)));
     vec3 axis = ball.xyz - frame.eye;
     float squared = dot(axis, axis) - ball.w * ball.w;
     if (!is_finite(ball) || squared <= 0.0) {

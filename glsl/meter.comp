@@ -28,9 +28,13 @@ layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock {
 #if defined(LAW_DASHPOT) && !defined(LAW_BALL_RESTITUTION)
     float damping_ratio;         // dashpot zeta of every ball
 #endif
+#ifdef LAW_SEMI_IMPLICIT
+    float damping_time;          // s
+#endif
     vec3 box_lower;              // m
     vec3 box_upper;
 #ifdef LAW_WALLS
+    float wall_depth;            // m: deeper in a wall, a ball is pushed no harder
     vec3 lower_velocity;         // m/s, of the lower walls
     vec3 upper_velocity;
 #endif
@@ -65,7 +69,15 @@ struct Meter {
 #endif
 };
 
+#define QUARANTINE
+#include "shared/quarantine.glsl"
 #define NEIGHBOUR_SUM Meter
+
+// None of the balls any more, or just about to be none.
+bool is_out(vec4 position, vec4 velocity) {
+    return position.w < 0.0 || !can_be_squared(position.xyz) || !can_be_squared(velocity.xyz);
+}
+
 #ifdef LAW_SPRING
 #include "shared/contact.glsl"
 #endif
@@ -80,7 +92,6 @@ void keep_largest(inout Meter meter, int value, float candidate) {
 // direction, is at most the sum of 2 k n n^T over its balls and k n n^T over its walls.
 void add_contact(inout Meter meter, float overlap, float diameter, float share, vec3 normal) {
     float overlap_share = overlap / diameter;
-    meter.values[METER_ELASTIC] += share * 0.5 * params.stiffness * overlap * overlap;
     meter.values[METER_OVERLAP_SHARES] += share * overlap_share;
     keep_largest(meter, METER_OVERLAP, overlap);
     keep_largest(meter, METER_OVERLAP_SHARE, overlap_share);
@@ -89,7 +100,7 @@ void add_contact(inout Meter meter, float overlap, float diameter, float share, 
 
 #ifdef LAW_DASHPOT
 void add_dashpot(inout Meter meter, float damping_ratio, float reduced_mass, float share, vec3 normal) {
-    float c = 2.0 * damping_ratio * sqrt(params.stiffness * reduced_mass);
+    float c = dashpot(damping_ratio, reduced_mass);
     meter.damping += outerProduct(normal, (c / share) * normal);
 }
 #endif
@@ -107,10 +118,11 @@ void add_pair(Ball a, uint other, inout Meter meter) {
     vec3 normal;
     float overlap;
     float radii;
-    if (!touches(a, other, normal, overlap, radii)) {
+    if (!touches(a, other, normal, overlap, radii) || is_out(positions[other], velocities[other])) {
         return;
     }
     add_contact(meter, overlap, radii, 0.5, normal);
+    meter.values[METER_ELASTIC] += 0.25 * params.stiffness * overlap * overlap;
     meter.values[METER_CONTACT_ENDS] += 1.0;
 #ifdef LAW_DASHPOT
     float missing = spring_force(overlap) - pair_force(a, other, normal, overlap);
@@ -137,8 +149,10 @@ void add_wall(inout Meter meter, Ball ball, float overlap, float force, float sp
         return;
     }
     add_contact(meter, overlap, 2.0 * ball.radius, 1.0, normal);
+    float depth = min(overlap, params.wall_depth);
+    meter.values[METER_ELASTIC] += params.stiffness * depth * (overlap - 0.5 * depth);
     meter.values[METER_WALL_CONTACTS] += 1.0;
-    meter.values[METER_WALL_HEAT] += (spring_force(overlap) - force) * (speed - wall_speed);
+    meter.values[METER_WALL_HEAT] += (spring_force(depth) - force) * (speed - wall_speed);
     meter.values[METER_WALL_WORK] += force * wall_speed;
 #ifdef LAW_DASHPOT
     add_dashpot(meter, ball.damping_ratio, ball.mass, 1.0, normal);
@@ -161,11 +175,14 @@ float largest_eigenvalue(mat3 s) {
 Meter metered(uint id) {
     vec4 position = positions[id];
     vec4 velocity = velocities[id];
-    Ball ball = make_ball(id, position, velocity);
     Meter meter;
     for (int i = 0; i < METER_VALUES; ++i) {
         meter.values[i] = 0.0;
     }
+    if (is_out(position, velocity)) {
+        return meter;
+    }
+    Ball ball = make_ball(id, position, velocity);
     meter.stiffness = mat3(0.0);
 #ifdef LAW_DASHPOT
     meter.damping = mat3(0.0);

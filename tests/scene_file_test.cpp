@@ -325,9 +325,9 @@ TEST_CASE("every bad value is refused in one sentence", "[core]") {
                 "s.json, /laws/contact/restitution: expected a number from 0.05 to 1, found 1.5"},
         Refusal{R"("limit_force": true)", R"("limit_force": 1)",
                 "s.json, /laws/contact/limit_force: expected true or false, found 1"},
-        Refusal{
-            R"("limit_force")", R"("limit")",
-            "s.json, /laws/contact: expected no other keys than stiffness, restitution, limit_force, found 'limit'"},
+        Refusal{R"("limit_force")", R"("limit")",
+                "s.json, /laws/contact: expected no other keys than stiffness, restitution, limit_force, dashpot, "
+                "found 'limit'"},
         Refusal{R"("walls": true)", R"("walls": "yes")", R"(s.json, /laws/walls: expected true or false, found "yes")"},
         Refusal{R"("walls": true)", R"("walls": { "stiffness": 1 })",
                 "s.json, /laws/walls: expected true or false, because 'contact' says how stiff the walls are, found an "
@@ -347,7 +347,8 @@ TEST_CASE("every bad value is refused in one sentence", "[core]") {
         Refusal{R"("time": {)", R"("compute": { "sort": "quick" }, "time": {)",
                 R"(s.json, /compute/sort: expected one of bitonic, bitonic_fused, found "quick")"},
         Refusal{R"("time": {)", R"("compute": { "neighbors": "grid" }, "time": {)",
-                "s.json, /compute: expected no other keys than sort, cell_factor, grid_reuse, neighbours, found 'neighbors'"},
+                "s.json, /compute: expected no other keys than sort, cell_factor, grid_reuse, neighbours, found "
+                "'neighbors'"},
         Refusal{R"("time": {)", R"("bounds": { "overlap": 1 }, "time": {)",
                 "s.json, /bounds: expected a key 'speed', found none"},
         Refusal{R"("time": {)", R"("bounds": { "speed": -1 }, "time": {)",
@@ -385,7 +386,7 @@ TEST_CASE("every bad value is refused in one sentence", "[core]") {
                 "s.json, /balls/0/restitution: expected a number from 0.05 to 1, found 2"},
         Refusal{R"("mass": 2)", R"("weight": 2)",
                 "s.json, /balls/0: expected no other keys than position, velocity, radius, mass, restitution, "
-                "compensation, found "
+                "compensation, quarantined, found "
                 "'weight'"},
         Refusal{R"("count": 7, )", "", "s.json, /fill: expected a key 'count', found none"},
         Refusal{R"("count": 7)", R"("count": 4194304)",

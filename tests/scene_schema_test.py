@@ -25,8 +25,9 @@ SCHEMA = json.loads((SCENES / "scene.schema.json").read_text(encoding="utf-8"))
 MAXIMUM_BALLS = SCHEMA["properties"]["balls"]["maxItems"]
 
 ORIGIN = [0, 0, 0]
-SPRING = {"stiffness": 1000, "restitution": 0.9, "limit_force": True}
-BALL = {"position": ORIGIN, "velocity": ORIGIN, "radius": 0.1, "mass": 1, "restitution": 0.5, "compensation": [0, 0, 0, 0, 0, 0]}
+SPRING = {"stiffness": 1000, "restitution": 0.9, "limit_force": True, "dashpot": "semi_implicit"}
+BALL = {"position": ORIGIN, "velocity": ORIGIN, "radius": 0.1, "mass": 1, "restitution": 0.5, "compensation": [0, 0, 0, 0, 0, 0],
+        "quarantined": False}
 EVERYTHING = {
     "$schema": "./scene.schema.json", "name": "N", "about": "A.",
     "box": {"half_extent": [1, 1, 1], "reference_count": 5, "walls_low": ORIGIN, "walls_high": ORIGIN, "wall_speed": 1},

@@ -149,24 +149,50 @@ TEST_CASE("hidden panels leave only what went wrong", "[ui]") {
 }
 
 TEST_CASE("a failure is told with its stage and its count", "[ui]") {
-    CHECK(ui::failure_sentences({}).empty());
+    CHECK(ui::extreme_sentences({}, true).empty());
     Status all{};
     all.bits = STATUS_NOT_FINITE | STATUS_OUT_OF_BOUNDS | STATUS_OVER_CAPACITY | STATUS_MISSED;
     all.not_finite = 1;
     all.out_of_bounds = 2000;
     all.over_capacity = 3;
     all.missed = 7;
-    all.drift_bits = std::bit_cast<std::uint32_t>(0.25f);  // m^2
-    const auto sentences = ui::failure_sentences(all);
+    ExtremeNumbers numbers = counted_extremes(all);
+    numbers[Extreme::hitches] = 4.0;
+    const auto sentences = ui::extreme_sentences(numbers, true);
     REQUIRE(sentences.size() == 4);
     CHECK(contains(sentences[0], "collide"));
-    CHECK(contains(sentences[0], "1 time."));
+    CHECK(contains(sentences[0], ": 1 balls."));
     CHECK(contains(sentences[1], "assign_cells"));
-    CHECK(contains(sentences[1], "2\u2009000 times"));
+    CHECK(contains(sentences[1], ": 2000 times."));
     CHECK(contains(sentences[2], "build_grid"));
     CHECK(contains(sentences[3], "count_missed"));
-    CHECK(contains(sentences[3], "7 times"));
-    CHECK(contains(sentences[3], "500 mm"));
+    CHECK(contains(sentences[3], ": 7 times."));
+    CHECK(ui::extreme_sentences(numbers, false).size() == 1);  // no alarm
+}
+
+TEST_CASE("a warning has its number, and buttons for what helps", "[ui]") {
+    test::HeadlessGui gui;
+    ui::State state = full_state();
+    gui.frame(state);
+    CHECK_FALSE(gui.shows("warnings"));
+    state.extremes[Extreme::explicit_dashpot_limit] = 1.25;
+    state.extremes[Extreme::initial_overlap] = 9e5;
+    std::set<std::size_t> kinds;
+    ui::Commands commands;
+    for (float y = 10.0f; y < 700.0f; y += 8.0f) {
+        for (const float x : {30.0f, 75.0f, 180.0f}) {
+            for (const ui::Command& command : gui.click(state, x, y)) {
+                kinds.insert(command.index());
+            }
+        }
+    }
+    CHECK(gui.shows("warnings"));
+    const std::string text = gui.text([&] { ui::warnings_panel(state, commands); });
+    CHECK(contains(text, "1.25"));
+    CHECK(contains(text, "9e+05 J"));
+    CHECK(kinds == std::set<std::size_t>{ui::Command(ui::ChangeSettings{}).index(),
+                                         ui::Command(ui::RelaxOverlaps{}).index(),
+                                         ui::Command(ui::HideWarnings{}).index()});
 }
 
 TEST_CASE("overlays say what they know", "[ui]") {

@@ -6,6 +6,11 @@ bool is_finite(vec4 v) {
     return all(notEqual(exponent, uvec4(0x7F800000u)));
 }
 
+// The radius of a ball in quarantine is negative (shared/quarantine.glsl).
+vec4 whole_ball(vec4 state) { return vec4(state.xyz, abs(state.w)); }
+
+const vec4 quarantine_tint = vec4(1.0, 0.02, 0.02, 1.0);
+
 uint scrambled(uint x) {
     x = (x ^ (x >> 16)) * 0x7FEB352Du;
     x = (x ^ (x >> 15)) * 0x846CA68Bu;

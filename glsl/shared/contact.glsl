@@ -34,9 +34,18 @@ float damping_ratio_of(uint id) {
 #endif
 }
 
-// Force (N) along the contact normal: F = k * overlap - c * separation_speed, c = 2 zeta sqrt(k m_eff).
-float damped_force(float overlap, float separation_speed, float reduced_mass, float damping_ratio) {
+// N s/m: 2 zeta sqrt(k m_eff), or so much of it as a substep can follow (core/contact.h).
+float dashpot(float damping_ratio, float reduced_mass) {
     precise float c = 2.0 * damping_ratio * sqrt(params.stiffness * reduced_mass);
+#ifdef LAW_SEMI_IMPLICIT
+    c = c / (1.0 + params.damping_time * c / reduced_mass);
+#endif
+    return c;
+}
+
+// Force (N) along the contact normal: F = k * overlap - c * separation_speed.
+float damped_force(float overlap, float separation_speed, float reduced_mass, float damping_ratio) {
+    float c = dashpot(damping_ratio, reduced_mass);
     precise float force = spring_force(overlap) - c * separation_speed;
 #ifdef LAW_LIMIT_FORCE
     force = max(force, 0.0);

@@ -67,10 +67,13 @@
 #define BLOCK_PARAMS 0
 
 // Bits of Status.bits, one for each kind of failure that a stage can meet.
-#define STATUS_NOT_FINITE 1u      // collide: a ball's new position or velocity is NaN or infinite
+#define STATUS_NOT_FINITE 1u      // collide: a ball's new position or velocity is no number, or too large to be squared
 #define STATUS_OUT_OF_BOUNDS 2u   // assign_cells: a ball's centre lies outside the box
 #define STATUS_OVER_CAPACITY 4u   // build_grid: a key names a cell or ball that has no room
 #define STATUS_MISSED 8u          // count_missed: balls touched that the grid before did not show to each other
+#define STATUS_TOO_FAST 16u       // collide: a ball moves by more than its radius
+#define STATUS_COINCIDENT 32u     // collide: two balls have the same centre
+#define STATUS_CAPPED_WALL 64u    // collide: a ball is deeper in a wall than the wall's push grows
 
 struct Key {
     uint cell_id;
@@ -100,11 +103,16 @@ struct HashSum {
     uint high;
 };
 
+// What was seen, summed over substeps since the last reset; each kind's bit stays where its sum has run over.
 struct Status {
     uint bits;
-    uint not_finite;              // balls seen, summed over substeps since the last reset
-    uint out_of_bounds;
-    uint over_capacity;
+    uint not_finite;              // balls, each once: then it is in quarantine
+    uint out_of_bounds;           // balls
+    uint over_capacity;           // keys
     uint missed;                  // ends of such contacts: a pair that neither ball sees counts twice
     uint drift_bits;              // the largest square (m^2) of a ball's way from one build to the next, as a float's bits
+    uint too_fast;                // balls
+    uint coincident;              // pairs
+    uint capped_walls;            // balls, once for each wall
+    uint quarantined_ball;        // 1 + the highest id of a ball in quarantine; 0: none
 };

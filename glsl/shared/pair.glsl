@@ -17,6 +17,11 @@ vec3 coincident_direction(uint id, uint other) {
 float pair_force(Ball a, uint other, vec3 normal, float overlap) {
 #ifdef LAW_DASHPOT
     vec4 velocity = velocities[other];
+#ifdef QUARANTINE
+    if (!can_be_squared(velocity.xyz)) {
+        return 0.0;   // it goes into quarantine in this very substep
+    }
+#endif
     float mass = mass_of(velocity);
     precise float reduced_mass = a.mass * mass / (a.mass + mass);
     precise float speed = ordered_dot(a.velocity - velocity.xyz, normal);
@@ -34,7 +39,18 @@ bool touches(Ball a, uint other, out vec3 normal, out float overlap, out float r
     precise float distance_squared = ordered_dot(offset, offset);
     precise float reach_squared = reach * reach;
     radii = reach;
+#ifdef QUARANTINE
+    if (position.w < 0.0) {
+        distance_squared = reach_squared;   // one in quarantine touches nobody
+    }
+#endif
     if (distance_squared < reach_squared) {   // false for NaN
+#ifdef DIAGNOSTICS
+        if (distance_squared == 0.0 && a.id < other) {
+            atomicOr(status.bits, STATUS_COINCIDENT);
+            atomicAdd(status.coincident, 1u);
+        }
+#endif
         float separation = sqrt(distance_squared);
         precise vec3 direction = distance_squared > 0.0 ? offset / separation : coincident_direction(a.id, other);
         precise float depth = reach - separation;

@@ -1,14 +1,22 @@
-// Contact forces of the box. Walls are half-spaces: the deeper the ball, the stronger the push, on both sides.
+// Contact forces of the box. Walls are half-spaces: the deeper the ball, the stronger the push, on both sides, up to
+// wall_depth (core/wall_depth.h).
 
 // `speed`: of the ball away from the wall.
 float wall_force(float overlap, float speed, Ball ball) {
     if (!(overlap > 0.0)) {
         return 0.0;
     }
+    float depth = min(overlap, params.wall_depth);
+#ifdef DIAGNOSTICS
+    if (depth < overlap) {
+        atomicOr(status.bits, STATUS_CAPPED_WALL);
+        atomicAdd(status.capped_walls, 1u);
+    }
+#endif
 #ifdef LAW_DASHPOT
-    return damped_force(overlap, speed, ball.mass, ball.damping_ratio);
+    return damped_force(depth, speed, ball.mass, ball.damping_ratio);
 #else
-    return spring_force(overlap);
+    return spring_force(depth);
 #endif
 }
 

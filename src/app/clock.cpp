@@ -25,6 +25,7 @@ int Clock::steps_for_frame(double wall_s, double dt, double speed) {
         return steps;
     }
     adapt(wall_s);
+    hitches_ += wall_s > longest_gap_s ? 1 : 0;
     const int due = due_steps(std::min(wall_s, longest_gap_s), dt, speed);
     last_steps_ = std::min(due, allowed_);
     held_back_ = due > last_steps_;

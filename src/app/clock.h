@@ -20,6 +20,9 @@ public:
     /// Steps to run in a frame that comes `wall_s` seconds after the one before, with steps of `dt` s and `speed`
     /// simulated seconds a second. dt never changes: what a slow machine cannot do is dropped, not caught up.
     int steps_for_frame(double wall_s, double dt, double speed);
+    /// Frames of a running clock that came so late that the time beyond a quarter of a second was dropped.
+    std::uint32_t hitches() const { return hitches_; }
+    void forget_hitches() { hitches_ = 0; }
 
 private:
     void adapt(double wall_s);
@@ -29,6 +32,7 @@ private:
     double debt_s_ = 0.0;  // simulated time that is due, within half a step of none
     int allowed_ = 1;      // steps that fit a frame without making it too long, learnt from the frames so far
     int last_steps_ = 0;
+    std::uint32_t hitches_ = 0;
     bool held_back_ = false;  // whether the last frame ran fewer steps than were due
 };
 

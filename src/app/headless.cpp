@@ -20,6 +20,7 @@
 #include "core/stopwatch.h"
 #include "measure/energy.h"
 #include "measure/stability.h"
+#include "measure/warnings.h"
 
 namespace ballpit::app {
 
@@ -91,7 +92,8 @@ Json grid_json(const Simulation& simulation, const Status& status) {
             {"advised_cell_factor", cell_factor_for(way, radius)}};
 }
 
-Json make_report(Simulation& simulation, const BallState& state, double wall_ms) {
+// `warnings`: of the start and the end.
+Json make_report(Simulation& simulation, const BallState& state, double wall_ms, const ExtremeNumbers& warnings) {
     const auto steps = static_cast<double>(simulation.step_count());
     Json report{{"scene", simulation.scene().name}, {"seed", simulation.seed()}};
     report.update(device_json(simulation.backend()));
@@ -107,6 +109,7 @@ Json make_report(Simulation& simulation, const BallState& state, double wall_ms)
     if (simulation.schedule().keeps_places) {
         report["grid"] = grid_json(simulation, status);
     }
+    report["extremes"] = extremes_json(measure::worse_of(warnings, counted_extremes(status)));
     report["overlapping_at_start"] = simulation.overlapping_at_start();
     report["state_hash"] = hash_text(hash_state(simulation.raw_state()));
     return report;
@@ -120,9 +123,9 @@ void print_summary(const Json& report) {
               << report["totals"]["contacts"] << " contacts, largest overlap "
               << report["totals"]["max_overlap_m"].get<double>() << " m, state hash "
               << report["state_hash"].get<std::string>() << "\n";
-    for (const auto& [name, count] : report["status"].items()) {
-        if (count != 0) {
-            std::cout << "status: " << name << " " << count << " (summed over all substeps)\n";
+    for (const ExtremeInfo& info : extreme_table()) {
+        if (const auto number = report["extremes"][std::string(info.key)].get<double>(); number != 0.0) {
+            std::cout << extreme_text(info, number) << "\n";
         }
     }
 }
@@ -171,6 +174,26 @@ void print_code(const Json& report) {
               << report["device"].get<std::string>() << "\n";
 }
 
+ExtremeNumbers warnings_of_start(Simulation& simulation) {
+    ExtremeNumbers warnings = measure::warnings_of(simulation, nullptr);
+    warnings[Extreme::initial_overlap] = measure::stored_in_overlaps(simulation.raw_state(), simulation.settings(),
+                                                                     simulation.features(), simulation.box());
+    return warnings;
+}
+
+// What the springs hold before and after.
+Json relax(Simulation& simulation) {
+    const auto elastic = [&] {
+        return measure::totals_of(simulation.raw_state(), simulation.settings(), simulation.features(),
+                                  simulation.box())
+            .elastic;
+    };
+    Json report{{"elastic_before_J", elastic()}};
+    simulation.apply(Relax{});
+    report["elastic_after_J"] = elastic();
+    return report;
+}
+
 }  // namespace
 
 int run_headless(const Options& options) {
@@ -206,6 +229,8 @@ int run_headless(const Options& options) {
         screenshot.emplace(setup.paths, options);  // before the work: a missing model is told at once
     }
 
+    ExtremeNumbers warnings = warnings_of_start(simulation);
+    const Json relaxed = options.relax ? relax(simulation) : Json();
     const bool metered = options.meters || !options.trace.empty();
     simulation.set_metering(metered);
     RunMeters meters;
@@ -227,6 +252,7 @@ int run_headless(const Options& options) {
     trace.commit();
     simulation.set_metering(true);
     meters.read_now(simulation);
+    warnings = measure::worse_of(warnings, measure::warnings_of(simulation, &meters.record()));
 
     const BallState state = simulation.synchronised_state();
     if (state_file) {
@@ -240,10 +266,13 @@ int run_headless(const Options& options) {
     if (screenshot) {
         screenshot->save(simulation, code);
     }
-    Json report = make_report(simulation, state, wall_ms);
+    Json report = make_report(simulation, state, wall_ms, warnings);
     report["meters"] = meters_json(meters, simulation, metered);
     if (preset) {
         report["budget"] = budget_report;
+    }
+    if (options.relax) {
+        report["relaxed"] = relaxed;
     }
     if (options.json != "-") {
         print_summary(report);

@@ -43,6 +43,12 @@ CLI::Option* add_code_option(CLI::App& app, Options& options) {
     return code;
 }
 
+CLI::Option* add_relax_option(CLI::App& app, Options& options) {
+    return app.add_flag(
+        "--relax", options.relax,
+        "Push balls that overlap apart first, so that what their springs hold does not set them flying");
+}
+
 void add_model_option(CLI::App& app, Options& options) {
     app.add_option("--model", options.model, "OBJ file that is drawn for a ball, instead of the one of the assets");
 }
@@ -71,6 +77,7 @@ CLI::App* add_headless(CLI::App& app, Options& options) {
         ->excludes(steps);
     CLI::Option* code = add_code_option(*headless, options);
     code->excludes(steps)->excludes(headless->get_option("--seconds"));
+    add_relax_option(*headless, options)->excludes(code);
     headless->add_option("--save", options.save, "Scene file of the final state, which goes on from there");
     headless->add_option("--state-out", options.state_out, "CSV of the final state, one row a ball");
     headless->add_option("--trace", options.trace,
@@ -180,7 +187,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     add_scene_options(app, options);
     add_budget_option(app, options);
     add_model_option(app, options);
-    add_code_option(app, options);
+    add_relax_option(app, options)->excludes(add_code_option(app, options));
     app.add_flag("--fresh", options.fresh, "The window starts as if for the first time");
     const std::vector<std::pair<CLI::App*, Command>> commands = {
         {add_headless(app, options), Command::headless},

@@ -32,6 +32,7 @@ struct Options {
     std::string save;  // scene file of the final state
     std::string trace;
     bool meters = false;
+    bool relax = false;  // window, too
     std::string screenshot;
     int width = 1280;
     int height = 720;

@@ -27,6 +27,15 @@ Json status_json(const Status& status) {
             {"missed", status.missed}};
 }
 
+Json extremes_json(const ExtremeNumbers& numbers) {
+    Json json = Json::object();
+    for (const ExtremeInfo& info : extreme_table()) {
+        const double number = numbers[info.extreme];
+        json[std::string(info.key)] = info.counted ? Json(static_cast<std::uint64_t>(number)) : Json(number);
+    }
+    return json;
+}
+
 std::string hash_text(std::uint64_t hash) {
     std::array<char, 17> text{};
     std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/atomic_file.h"
+#include "core/extremes.h"
 #include "core/layout.h"
 #include "core/simulation.h"
 
@@ -19,6 +20,8 @@ Json device_json(const Backend& backend);
 Json settings_json(const Simulation& simulation);
 /// One key a status bit, with the count.
 Json status_json(const Status& status);
+/// One number for each of core/extremes.h under its key, counts as whole numbers; 0 where there is nothing to say.
+Json extremes_json(const ExtremeNumbers& numbers);
 /// 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 

@@ -42,9 +42,13 @@ json ball_json(const BallSpec& ball) {
             ball.velocity.y, ball.velocity.z, ball.radius,     ball.mass};
 }
 
+constexpr const char* relax_name = "relax";
+
 json change_json(const SharedChange& change) {
     json entry = {change.at.step, change.at.substep, texts_json(change.settings)};
-    if (!change.balls.empty()) {
+    if (change.relax) {
+        entry[2] = relax_name;
+    } else if (!change.balls.empty()) {
         entry[2] = json::array();
         for (const BallSpec& ball : change.balls) {
             entry[2].push_back(ball_json(ball));
@@ -122,6 +126,13 @@ SharedChange read_change(const JsonValue& list) {
     }
     SharedChange change{read_moment(list), {}, {}};
     const JsonValue what = list.element(2);
+    if (what.is_string()) {
+        if (what.string() != relax_name) {
+            what.refuse("relax");
+        }
+        change.relax = true;
+        return change;
+    }
     if (what.is_object()) {
         change.settings = read_texts(what);
         return change;
@@ -229,9 +240,11 @@ std::vector<SharedChange> shared_changes(const Settings& start, const std::vecto
         if (const auto* settings = std::get_if<Settings>(&change)) {
             shared.push_back({at, setting_differences(before, *settings), {}});
             before = *settings;
+        } else if (const auto* added = std::get_if<AddBalls>(&change)) {
+            shared.push_back({at, {}, added->balls});
+            before.balls += static_cast<std::uint32_t>(added->balls.size());
         } else {
-            shared.push_back({at, {}, std::get<AddBalls>(change).balls});
-            before.balls += static_cast<std::uint32_t>(shared.back().balls.size());
+            shared.push_back({at, {}, {}, true});
         }
     }
     return shared;

@@ -16,11 +16,12 @@ namespace ballpit::app {
 /// Settings as --set takes them, key and value.
 using SettingTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// What a user did at a moment: settings that were changed, or balls that were thrown in.
+/// What a user did at a moment: settings that were changed, balls that were thrown in, or overlaps that were relaxed.
 struct SharedChange {
     Moment at;
     SettingTexts settings;
     std::vector<BallSpec> balls;
+    bool relax = false;
 };
 
 struct SharedCode {

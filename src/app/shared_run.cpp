@@ -28,6 +28,10 @@ void apply(const SharedChange& change, Stepper& stepper, Simulation& simulation)
         stepper.change(AddBalls{change.balls});
         return;
     }
+    if (change.relax) {
+        stepper.change(Relax{});
+        return;
+    }
     Settings settings = simulation.settings();
     assign_settings(settings, change.settings);
     stepper.change(settings);

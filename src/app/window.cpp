@@ -50,6 +50,9 @@ Window::Window(const WindowOptions& options)
     if (options.budget) {
         choose_substeps(*options.budget);
     }
+    if (options.relax) {
+        session_.relax();
+    }
     if (!options.code.empty()) {
         sharing_.open_code(options.code);
     }
@@ -237,6 +240,8 @@ ui::State Window::make_state() {
     state.meters = meters_.describe(session_, view_.meters);
     state.budget = budget_.describe(session_, view_.budget);
     state.explorer = explorer_.describe(session_, view_.explorer, budget_.options().budget);
+    extremes_.describe(session_, clock_,
+                       state.meters != nullptr && state.meters->record ? &*state.meters->record : nullptr, state);
     state.message = message_;
     state.close_popups = close_popups_;
     return state;

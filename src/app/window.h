@@ -29,6 +29,7 @@ struct WindowOptions {
     UserSettings user;                  // what was remembered
     std::filesystem::path user_folder;  // where that goes
     std::string message;                // to begin with
+    bool relax = false;                 // pushes balls that overlap apart first
     std::string code;                   // a share code to open; has been looked at
 };
 

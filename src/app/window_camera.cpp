@@ -52,7 +52,7 @@ void WindowCamera::look_from(const view::Camera& camera) {
 }
 
 void WindowCamera::fly_to(const vec4& ball, const Surroundings& surroundings) {
-    view::Camera there = view::fly_to(camera_, vec3(ball), ball.w);
+    view::Camera there = view::fly_to(camera_, vec3(ball), std::abs(ball.w));
     const float ahead = glm::dot(vec3(ball) - there.position, view::forward(there));
     const float picture_height = 2.0f * std::tan(0.5f * there.field_of_view) * ahead;  // m, at the ball
     const view::vec2 aside = picture_height * to_free_middle(surroundings);

@@ -11,6 +11,7 @@
 #include "app/window_budget.h"
 #include "app/window_camera.h"
 #include "app/window_explorer.h"
+#include "app/window_extremes.h"
 #include "app/window_gui.h"
 #include "app/window_inspector.h"
 #include "app/window_keeper.h"
@@ -81,6 +82,8 @@ private:
     void act(const ui::ChangeTextSize& command) { text_size_ = command.factor; }
     void act(const ui::ClearStatus&) { session_.clear_status(); }
     void act(const ui::DismissMessage&) { message_.clear(); }
+    void act(const ui::HideWarnings&) { extremes_.hide(); }
+    void act(const ui::RelaxOverlaps&) { session_.relax(); }
     void act(const ui::ChooseUnit& command) { stepping_.act(command, view_); }
     void act(const ui::StepForward& command) { stepping_.act(command); }
     void act(const ui::StepBack& command) { stepping_.act(command); }
@@ -122,6 +125,7 @@ private:
     WindowLaws laws_;
     WindowMeters meters_;
     WindowBudget budget_{meters_};
+    WindowExtremes extremes_;
     WindowExplorer explorer_;
     Play play_;
     ui::Inspection inspection_;

@@ -284,6 +284,11 @@ bool Session::add_balls(std::vector<BallSpec> balls) {
     return apply_change(AddBalls{std::move(balls)});
 }
 
+bool Session::relax() {
+    apply(false);
+    return apply_change(Relax{});
+}
+
 bool Session::apply_change(const Change& change) {
     return attempt([&] {
         stepper_->change(change);
@@ -299,8 +304,8 @@ void Session::prepare_cells() {
     }
     Backend& backend = simulation_->backend();
     const Bytes status = backend.read(Slot::status);
-    const auto built = std::ranges::find_if(
-        schedule.dispatches, [](const Dispatch& d) { return d.program.shader == Shader::build_grid; });
+    const auto built = std::ranges::find_if(schedule.dispatches,
+                                            [](const Dispatch& d) { return d.program.shader == Shader::build_grid; });
     if (built == schedule.dispatches.end()) {
         return;  // the grid that is there is the one that will be used
     }

@@ -82,6 +82,8 @@ public:
 
     /// Throws balls in; false where that is refused, and told. Settings still waiting are applied first.
     bool add_balls(std::vector<BallSpec> balls);
+    /// Pushes balls that overlap apart; as add_balls().
+    bool relax();
 
     /// Fills the cells for who looks at them before the first substep has run.
     void prepare_cells();

@@ -14,7 +14,7 @@ namespace {
 
 // The command line says what to show: then nothing that was left yesterday counts.
 bool chosen(const Options& options) {
-    return options.scene_given || !options.set.empty() || options.seed || !options.code.empty();
+    return options.scene_given || !options.set.empty() || options.seed || options.relax || !options.code.empty();
 }
 
 // All at once and in no order: a law that was added decides which of the others apply.
@@ -60,6 +60,7 @@ int open_window(const Options& options) {
     window.settings = setup.settings;
     window.budget = parse_budget(options.budget);
     window.seed = setup.seed;
+    window.relax = options.relax;
     // What is remembered is a wish: on another machine the GPU that was asked for may not be there.
     const bool remembered_cpu = !options.backend_given && window.user.backend == "cpu";
     window.backend = remembered_cpu ? "cpu" : options.backend;

@@ -11,6 +11,14 @@ namespace ballpit {
 /// Smallest restitution that the explicit dashpot can be asked for (zeta 1.95 when the force is limited).
 inline constexpr double minimum_restitution = 0.05;
 
+/// A semi-implicit dashpot has c / (1 + share * c dt / m_eff) in place of c. With share 1 this is what takes a
+/// pair's speed of separation from v to v / (1 + c dt / m_eff), the implicit Euler step of its dashpot alone: it never
+/// turns the speed round. A ball with many contacts gets that from each of them. What is safe then follows from
+/// M - dt C / 2 > 0 (measure/stability.h): with dt c <= m_eff / share, dt C / 2 is at most M times the largest
+/// eigenvalue of sum (2 m_eff / m) n n^T over 2 share, which is 4 / (2 share) among the twelve equal neighbours of a
+/// densest packing; hence 2. docs/extremes.md has the derivation, and why not each ball's own implicit step.
+inline constexpr double semi_implicit_share = 2.0;
+
 /// Restitution e of one collision against the damping ratio zeta >= 0, gravity neglected.
 /// With `limit_force` the contact ends when the force would pull (Schwager and Poeschel 2007, Granular
 /// Matter 9, eq. 21); without, when the overlap returns to zero, e = exp(-pi zeta / sqrt(1 - zeta^2)).

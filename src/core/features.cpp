@@ -25,6 +25,7 @@ Features features_of(const Settings& settings, const Variety& variety, bool wall
     features.add(Feature::pull, settings.pull && settings.pull->ball < settings.balls);
     features.add(Feature::diagnostics, laws.diagnostics);
     features.add(Feature::compensated, laws.compensated);
+    features.add(Feature::semi_implicit, dashpot && settings.dashpot == DashpotMethod::semi_implicit);
     return features;
 }
 

@@ -28,9 +28,10 @@ enum class Feature : std::uint32_t {
     pull = 1u << 14,            // a spring on one ball
     diagnostics = 1u << 15,     // stages count what goes wrong
     compensated = 1u << 16,     // what rounding leaves out of positions and velocities is kept and added later
+    semi_implicit = 1u << 17,   // a dashpot that no substep is too long for
 };
 
-inline constexpr std::array<std::string_view, 17> feature_defines = {"LAW_GRAVITY",
+inline constexpr std::array<std::string_view, 18> feature_defines = {"LAW_GRAVITY",
                                                                      "LAW_DRAG",
                                                                      "LAW_CONTACT",
                                                                      "LAW_DASHPOT",
@@ -46,7 +47,8 @@ inline constexpr std::array<std::string_view, 17> feature_defines = {"LAW_GRAVIT
                                                                      "LAW_MOVING_WALLS",
                                                                      "LAW_PULL",
                                                                      "DIAGNOSTICS",
-                                                                     "LAW_COMPENSATED"};
+                                                                     "LAW_COMPENSATED",
+                                                                     "LAW_SEMI_IMPLICIT"};
 
 struct Features {
     std::uint32_t bits = 0;
@@ -61,9 +63,13 @@ struct Features {
 struct Variety {
     bool radii = false;
     bool masses = false;
-    bool restitutions = false;  // some ball has its own
-    float radius = 0.0f;        // m, of ball 0
-    float mass = 1.0f;          // kg, of ball 0
+    bool restitutions = false;    // some ball has its own
+    float radius = 0.0f;          // m, of ball 0
+    float mass = 1.0f;            // kg, of ball 0
+    double largest_radius = 0.0;  // m
+    double lightest_mass = 0.0;   // kg
+    double heaviest_mass = 0.0;
+    double total_mass = 0.0;
 };
 
 /// What these laws and settings ask for, with such balls. `walls_move`: see box.h.

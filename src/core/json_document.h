@@ -39,6 +39,7 @@ public:
     std::optional<JsonValue> optional(std::string_view key) const;
 
     bool is_object() const { return value_->is_object(); }
+    bool is_string() const { return value_->is_string(); }
     /// This must be an array; its elements one by one.
     std::size_t expect_array() const;
     JsonValue element(std::size_t index) const;

@@ -24,8 +24,8 @@ constexpr std::array<LawInfo, law_count> table = {{
      "No constant mass."},
     {"ball_restitution", "Restitution per ball", &Laws::ball_restitution,
      "A pair has the smaller restitution of its two balls.", "A buffer of 4 B a ball, read for every ball touched."},
-    {"diagnostics", "Diagnostics", &Laws::diagnostics, "Stages count balls that are not finite or outside the box.",
-     "A status word, and tests of every ball."},
+    {"diagnostics", "Diagnostics", &Laws::diagnostics,
+     "Stages count what goes wrong, and hold balls that are no number.", "A status word, and tests of every ball."},
     {"compensated", "Compensated sums", &Laws::compensated,
      "What rounding leaves out of positions and velocities is kept and added later: a step can be as short as you "
      "like.",

@@ -25,6 +25,7 @@ struct BallSpec {
     /// Of a saved moment: what its sums had left out. Else it is what position and velocity lose when rounded to
     /// single.
     std::optional<Compensation> compensation{};
+    bool quarantined = false;  // of a saved moment (quarantine.h)
 };
 
 /// `count` balls put at random into `region` without touching each other, as long as they fit.

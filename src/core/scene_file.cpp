@@ -40,7 +40,7 @@ Compensation read_compensation(const JsonValue& list) {
 
 // All that one ball can be asked without the rest of the scene, which may stand behind it in the file.
 BallSpec read_ball(const JsonValue& ball) {
-    ball.expect_object({"position", "velocity", "radius", "mass", "restitution", "compensation"});
+    ball.expect_object({"position", "velocity", "radius", "mass", "restitution", "compensation", "quarantined"});
     BallSpec spec;
     spec.position = ball.required("position").vector_between(-largest_number, largest_number, "m");
     if (const auto velocity = ball.optional("velocity")) {
@@ -53,6 +53,9 @@ BallSpec read_ball(const JsonValue& ball) {
     }
     if (const auto compensation = ball.optional("compensation")) {
         spec.compensation = read_compensation(*compensation);
+    }
+    if (const auto quarantined = ball.optional("quarantined")) {
+        spec.quarantined = quarantined->boolean();
     }
     return spec;
 }

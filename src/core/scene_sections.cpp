@@ -35,7 +35,7 @@ Enum read_choice(const JsonValue& value, const std::array<std::string_view, Coun
 
 // What contact says of every touch; walls say it themselves where there is no contact between balls.
 void read_spring(const JsonValue& spring, Settings& settings) {
-    spring.expect_object({"stiffness", "restitution", "limit_force"});
+    spring.expect_object({"stiffness", "restitution", "limit_force", "dashpot"});
     settings.stiffness = read_setting(spring.required("stiffness"), "stiffness");
     settings.restitution = 1.0;
     if (const auto restitution = spring.optional("restitution")) {
@@ -44,6 +44,9 @@ void read_spring(const JsonValue& spring, Settings& settings) {
     }
     if (const auto limit_force = spring.optional("limit_force")) {
         settings.limit_force = limit_force->boolean();
+    }
+    if (const auto dashpot = spring.optional("dashpot")) {
+        settings.dashpot = read_choice<DashpotMethod>(*dashpot, dashpot_names);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/json_document.h"
+#include "core/quarantine.h"
 #include "core/scene_sections.h"
 
 namespace ballpit {
@@ -42,6 +43,9 @@ Json spring_json(const Settings& settings) {
         spring["restitution"] = settings.restitution;
     }
     spring["limit_force"] = settings.limit_force;
+    if (settings.dashpot != Settings().dashpot) {
+        spring["dashpot"] = dashpot_names.at(static_cast<std::size_t>(settings.dashpot));
+    }
     return spring;
 }
 
@@ -148,7 +152,8 @@ std::string ball_text(const BallSpec& ball) {
     return R"({ "position": )" + vector_text(ball.position) + R"(, "velocity": )" + vector_text(ball.velocity) +
            R"(, "radius": )" + number_text(ball.radius) + R"(, "mass": )" + number_text(ball.mass) +
            (ball.restitution ? R"(, "restitution": )" + shortest_text(*ball.restitution) : "") +
-           (ball.compensation ? R"(, "compensation": )" + compensation_text(*ball.compensation) : "") + " }";
+           (ball.compensation ? R"(, "compensation": )" + compensation_text(*ball.compensation) : "") +
+           (ball.quarantined ? R"(, "quarantined": true)" : "") + " }";
 }
 
 // One line with spaces, as a person writes it.
@@ -236,10 +241,11 @@ Scene scene_of_moment(Simulation& simulation) {
         const vec4& position = state.positions[i];
         const vec4& velocity = state.velocities[i];
         expect_finite(position, velocity, i);
-        scene.balls.push_back({dvec3(position), dvec3(velocity), static_cast<double>(position.w),
+        scene.balls.push_back({dvec3(position), dvec3(velocity), std::abs(static_cast<double>(position.w)),
                                static_cast<double>(velocity.w),
                                touching && i < listed.size() ? listed[i].restitution : std::nullopt,
-                               state.compensations.empty() ? std::nullopt : std::optional(state.compensations[i])});
+                               state.compensations.empty() ? std::nullopt : std::optional(state.compensations[i]),
+                               in_quarantine(position)});
     }
     if (scene.fill) {
         const dvec3 scale{wide, wide, 1.0};

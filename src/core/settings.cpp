@@ -25,7 +25,7 @@ constexpr Needs walls{&Laws::walls};
 constexpr Needs shake{&Laws::shake};
 constexpr Needs contact_or_walls{&Laws::contact, &Laws::walls};
 
-constexpr std::array<SettingInfo, 20> table = {{
+constexpr std::array<SettingInfo, 21> table = {{
     {"balls", "Balls", "", 0, maximum_balls, true, always,
      "How many balls; those that stay keep their motion when the number changes.", &Settings::balls},
     {"gravity", "Gravity", "m/s^2", -100, 100, false, gravity, "Acceleration of every ball as x,y,z; z is up.",
@@ -38,6 +38,9 @@ constexpr std::array<SettingInfo, 20> table = {{
      "Share of the approach speed that a collision gives back.", &Settings::restitution},
     {"limit_force", "No pull", "", 0, 1, false, restitution,
      "Whether a contact may only push (on) or also pull while it opens (off).", &Settings::limit_force},
+    {"dashpot", "Dashpot", "", 0, 0, false, restitution,
+     "Taken as it is, or only so much of it as a substep can follow: stable where it is strong, weaker for that.",
+     &Settings::dashpot},
     {"dt", "Step length", "s", 0, 1, true, always,
      "Time from one displayed frame to the next; a substep is dt / substeps.", &Settings::dt},
     {"substeps", "Substeps", "", 1, 1024, true, always,
@@ -50,7 +53,8 @@ constexpr std::array<SettingInfo, 20> table = {{
      "Cell width over the largest diameter; below 1 the grid misses pairs, which is there to be shown.",
      &Settings::cell_factor},
     {"grid_reuse", "Grid reuse", "", 1, 64, true, contact,
-     "How many substeps use one grid; each step builds its own. Cells must be wider by the way that balls go meanwhile.",
+     "How many substeps use one grid; each step builds its own. Cells must be wider by the way that balls go "
+     "meanwhile.",
      &Settings::grid_reuse},
     {"neighbours", "Neighbours", "", 0, 0, false, contact,
      "Whether a ball looks for its neighbours in the cells around it, or asks every other ball.",
@@ -136,6 +140,7 @@ struct Assign {
     void operator()(Integrator Settings::*member) const { assign_choice(info, text, settings.*member); }
     void operator()(SortMethod Settings::*member) const { assign_choice(info, text, settings.*member); }
     void operator()(NeighbourSearch Settings::*member) const { assign_choice(info, text, settings.*member); }
+    void operator()(DashpotMethod Settings::*member) const { assign_choice(info, text, settings.*member); }
     void operator()(Laws Settings::*member) const { settings.*member = parse_laws(text); }
     void operator()(std::optional<Pull> Settings::*member) const {
         if (text == "none") {
@@ -171,6 +176,9 @@ struct Text {
     std::string operator()(NeighbourSearch Settings::*member) const {
         return std::string(neighbour_search_names.at(static_cast<std::size_t>(settings.*member)));
     }
+    std::string operator()(DashpotMethod Settings::*member) const {
+        return std::string(dashpot_names.at(static_cast<std::size_t>(settings.*member)));
+    }
     std::string operator()(Laws Settings::*member) const { return laws_text(settings.*member); }
     std::string operator()(std::optional<Pull> Settings::*member) const {
         const std::optional<Pull>& pull = settings.*member;
@@ -196,6 +204,9 @@ std::span<const std::string_view> setting_choices(const SettingInfo& info) {
     }
     if (std::holds_alternative<NeighbourSearch Settings::*>(info.member)) {
         return neighbour_search_names;
+    }
+    if (std::holds_alternative<DashpotMethod Settings::*>(info.member)) {
+        return dashpot_names;
     }
     return {};
 }

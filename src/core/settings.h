@@ -22,6 +22,10 @@ inline constexpr std::array<std::string_view, 2> sort_names = {"bitonic", "biton
 enum class NeighbourSearch { grid, brute_force };
 inline constexpr std::array<std::string_view, 2> neighbour_search_names = {"grid", "brute_force"};
 
+/// The dashpot of a contact: c as it is, or so much of it as a substep can follow (core/contact.h).
+enum class DashpotMethod { explicit_, semi_implicit };  // NOLINT(readability-identifier-naming): a keyword
+inline constexpr std::array<std::string_view, 2> dashpot_names = {"explicit", "semi_implicit"};
+
 /// A hand that holds one ball: a critically damped spring to a point.
 struct Pull {
     std::uint32_t ball = 0;
@@ -37,6 +41,7 @@ struct Settings {
     double stiffness = 1000.0;
     double restitution = 0.9;
     bool limit_force = true;
+    DashpotMethod dashpot = DashpotMethod::explicit_;
     double dt = 1.0 / 60.0;
     std::uint32_t substeps = 8;
     Integrator integrator = Integrator::leapfrog;
@@ -58,7 +63,7 @@ inline constexpr std::uint32_t maximum_balls = 1u << 22;
 
 using SettingMember = std::variant<double Settings::*, std::uint32_t Settings::*, bool Settings::*, dvec3 Settings::*,
                                    Integrator Settings::*, SortMethod Settings::*, NeighbourSearch Settings::*,
-                                   Laws Settings::*, std::optional<Pull> Settings::*>;
+                                   DashpotMethod Settings::*, Laws Settings::*, std::optional<Pull> Settings::*>;
 
 struct SettingInfo {
     std::string_view key;    // as in --set and in scene files

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/quarantine.h"
 #include "core/scene_schedule.h"
 
 namespace ballpit {
@@ -48,11 +49,13 @@ void Simulation::load_world(World world) {
     run_.substeps_since_base = 0;
     run_.time_base = from.time;
     world.balls.velocity_lag = from.velocity_lag;
-    load_state(world.balls);
+    load_state(std::move(world.balls));
     interrupt_meters();
 }
 
-void Simulation::load_state(const BallState& state) {
+void Simulation::load_state(BallState state) {
+    Status status{};
+    run_.settings.laws.diagnostics ? quarantine(state, run_.scene_box, status) : release(state);
     run_.restitutions = ball_restitutions(scene_, run_.settings, state.count());
     run_.velocity_lag = state.velocity_lag;
     run_.largest_radius = largest_radius(state);
@@ -60,6 +63,14 @@ void Simulation::load_state(const BallState& state) {
     set_schedule(state.count());
     load_backend(*backend_,
                  {state.positions, state.velocities, run_.restitutions, run_.velocity_lag, state.compensations});
+    add_to_status(status);
+}
+
+void Simulation::add_to_status(const Status& more) {
+    if (more.bits != 0) {
+        const Status sum = sum_of(read_slot<Status>(*backend_, Slot::status).front(), more);
+        backend_->write(Slot::status, std::as_bytes(std::span(&sum, 1)));
+    }
 }
 
 // Restitutions that no law asks for are remembered here, but not on the device.
@@ -135,7 +146,7 @@ void Simulation::end_substep() {
         request_reading();
     }
     metered_ = false;
-    if (!schedule_.in_place) {
+    if (!schedule_.in_place && !still()) {
         backend_->swap_states();
     }
     run_.velocity_lag =
@@ -158,9 +169,18 @@ void Simulation::age_grid() {
     }
 }
 
+// A step of no time leaves every bit as it is: -0 would not outlive the addition of 0.
+bool Simulation::still() const {
+    const SubstepMotion motion =
+        substep_motion(run_.settings.integrator, drag(run_.settings), substep_dt(run_.settings), run_.velocity_lag);
+    return motion.drift == 0.0 && motion.first.gain == 0.0 && motion.second.gain == 0.0;
+}
+
 void Simulation::substep() {
     begin_substep();
-    backend_->run(schedule(), params(), 0, schedule().dispatches.size());
+    if (!still() || (metering_ && !schedule_.in_place)) {
+        backend_->run(schedule(), params(), 0, schedule().dispatches.size());
+    }
     end_substep();
 }
 
@@ -229,7 +249,9 @@ void Simulation::change(const Settings& wanted) {
             run_.added -= std::min(run_.added, run_.settings.balls - std::min(run_.settings.balls, wanted.balls));
         }
         run_.settings = wanted;
-        load_state(state);
+        const Status counted = read_slot<Status>(*backend_, Slot::status).front();
+        load_state(std::move(state));
+        add_to_status(counted);
         return;
     }
     rebase_clock();
@@ -262,22 +284,28 @@ void Simulation::add(const AddBalls& added) {
     interrupt_meters();
     run_.settings.balls = static_cast<std::uint32_t>(count);
     run_.added += static_cast<std::uint32_t>(added.balls.size());
-    load_state(state);
+    const Status counted = read_slot<Status>(*backend_, Slot::status).front();
+    load_state(std::move(state));
+    add_to_status(counted);
 }
 
 void Simulation::apply(const Change& change) {
     if (const auto* settings = std::get_if<Settings>(&change)) {
         this->change(*settings);
+    } else if (const auto* balls = std::get_if<AddBalls>(&change)) {
+        add(*balls);
     } else {
-        add(std::get<AddBalls>(change));
+        relax();
     }
     run_.grid_age = 0;  // also where a slider came back to where it was: a replay does not know that it had moved
 }
 
 void Simulation::use(std::unique_ptr<Backend> backend) {
+    const Status counted = read_slot<Status>(*backend_, Slot::status).front();
     load_backend(*backend, raw_state());
     backend_ = std::move(backend);
     run_.grid_age = 0;
+    add_to_status(counted);
     interrupt_meters();
 }
 

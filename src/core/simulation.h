@@ -51,8 +51,12 @@ struct Plan {
     std::vector<double> restitutions;
 };
 
+/// Balls that overlap are pushed apart, by the springs alone in a thick medium, until the springs are slack or nothing
+/// moves any more for want of room. Takes no time; every ball keeps its velocity.
+struct Relax {};
+
 /// What a user does to a running scene. All of it goes this way, so that it can be remembered and done again.
-using Change = std::variant<Settings, AddBalls>;
+using Change = std::variant<Settings, AddBalls, Relax>;
 
 class Simulation {
 public:
@@ -69,6 +73,8 @@ public:
     const Schedule& schedule() const { return builds_grid() ? schedule_ : reused_schedule_; }
     bool builds_grid() const { return run_.grid_age == 0; }
     SubstepParams<double> params() const;
+    /// Whether the next substep takes no time: then nothing runs, nothing is counted, and no bit changes.
+    bool still() const;
     void begin_substep();
     void end_substep();
 
@@ -85,8 +91,8 @@ public:
     /// The next substep of the present balls as it would be with other settings of the same count; nothing changes.
     Plan plan(const Settings& settings) const;
 
-    /// At the start of a substep. What goes on from it builds its grid first, as every step and what follows a change do.
-    /// The checkpoint belongs to this backend and scene.
+    /// At the start of a substep. What goes on from it builds its grid first, as every step and what follows a change
+    /// do. The checkpoint belongs to this backend and scene.
     Checkpoint checkpoint();
     void restore(const Checkpoint& checkpoint);
 
@@ -98,6 +104,7 @@ public:
     void change(const Settings& wanted);
     /// Throws InputError where there would be more than maximum_balls.
     void add(const AddBalls& added);
+    void relax();
     void apply(const Change& change);
     /// Moves the balls to another backend.
     void use(std::unique_ptr<Backend> backend);
@@ -134,8 +141,10 @@ public:
 
 private:
     void request_reading();
+    MeterReading run_round(const Settings& calm, const Schedule& schedule, const Variety& variety);
     void load_world(World world);
-    void load_state(const BallState& state);
+    void load_state(BallState state);
+    void add_to_status(const Status& more);
     void load_backend(Backend& backend, BallState state) const;
     bool walls_move() const { return ballpit::walls_move(run_.walls, run_.settings, run_.scene_box, wall_room()); }
     Features wanted_features(const Settings& settings) const;

@@ -76,9 +76,10 @@ void Stepper::run_dispatches(std::uint32_t last) {
     if (dispatch_ == 0) {
         simulation_.begin_substep();
     }
-    if (runner_) {
+    const bool idle = simulation_.still() && simulation_.schedule().in_place;  // it would overwrite what must stay
+    if (runner_ && !idle) {
         runner_(schedule(), simulation_.params(), dispatch_, last);
-    } else {
+    } else if (!idle) {
         simulation_.backend().run(schedule(), simulation_.params(), dispatch_, last);
     }
     dispatch_ = last;

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/contact.h"
+#include "core/wall_depth.h"
 
 namespace ballpit {
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double hand_rate = 10.0;  // 1/s
 constexpr double rate_per_substep = 0.5;
 
-constexpr std::array<ShaderParamInfo, 25> table = {{
+constexpr std::array<ShaderParamInfo, 27> table = {{
     {"ball_count", &ShaderParams::ball_count},
     {"drift", &ShaderParams::drift},
     {"gain", &ShaderParams::gain},
@@ -28,6 +29,8 @@ constexpr std::array<ShaderParamInfo, 25> table = {{
     {"radius", &ShaderParams::radius},
     {"mass", &ShaderParams::mass},
     {"damping_ratio", &ShaderParams::damping_ratio},
+    {"damping_time", &ShaderParams::damping_time},
+    {"wall_depth", &ShaderParams::wall_depth},
     {"box_lower", &ShaderParams::box_lower},
     {"box_upper", &ShaderParams::box_upper},
     {"lower_velocity", &ShaderParams::lower_velocity},
@@ -63,6 +66,8 @@ SubstepParams<double> make_substep_params(const Settings& settings, const Walls&
     p.radius = static_cast<double>(variety.radius);
     p.mass = static_cast<double>(variety.mass);
     p.damping_ratio = damping_ratio_from_restitution(restitution, settings.limit_force);
+    p.damping_time = semi_implicit_share * settings.dt / settings.substeps;
+    p.wall_depth = wall_depth(settings, walls.box, variety);
     p.box_lower = walls.box.lower;
     p.box_upper = walls.box.upper;
     p.lower_velocity = walls.lower_velocity;

@@ -2,6 +2,8 @@
 // the names of the members.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -27,11 +29,13 @@ struct SubstepParams {
     Real second_decay{1};
     Real decay_change{0};  // decay - 1
     Real second_decay_change{0};
-    Vec3<Real> gravity{0};  // m/s^2
-    Real stiffness{0};      // N/m
-    Real radius{0};         // m, where all balls have the same
-    Real mass{1};           // kg, where all balls have the same
-    Real damping_ratio{0};  // dashpot zeta of balls without a restitution of their own
+    Vec3<Real> gravity{0};                              // m/s^2
+    Real stiffness{0};                                  // N/m
+    Real radius{0};                                     // m, where all balls have the same
+    Real mass{1};                                       // kg, where all balls have the same
+    Real damping_ratio{0};                              // dashpot zeta of balls without a restitution of their own
+    Real damping_time{0};                               // s, of a semi-implicit dashpot
+    Real wall_depth{std::numeric_limits<Real>::max()};  // m: overlap with a wall beyond which it pushes no harder
     Vec3<Real> box_lower{0};
     Vec3<Real> box_upper{0};
     Vec3<Real> lower_velocity{0};  // m/s, of the lower walls
@@ -70,6 +74,8 @@ SubstepParams<Real> narrowed(const SubstepParams<double>& p) {
     n.radius = real(p.radius);
     n.mass = real(p.mass);
     n.damping_ratio = real(p.damping_ratio);
+    n.damping_time = real(p.damping_time);
+    n.wall_depth = real(std::min(p.wall_depth, static_cast<double>(std::numeric_limits<Real>::max())));
     n.box_lower = Vec3<Real>(p.box_lower);
     n.box_upper = Vec3<Real>(p.box_upper);
     n.lower_velocity = Vec3<Real>(p.lower_velocity);

@@ -115,7 +115,8 @@ BallSpec fill_ball(const Fill& fill, const dvec3& lower, const dvec3& upper, con
 }  // namespace
 
 void add_ball(BallState& balls, const BallSpec& spec) {
-    balls.positions.emplace_back(vec3(spec.position), static_cast<float>(spec.radius));
+    const auto radius = static_cast<float>(spec.radius);
+    balls.positions.emplace_back(vec3(spec.position), spec.quarantined ? -radius : radius);
     balls.velocities.emplace_back(vec3(spec.velocity), static_cast<float>(spec.mass));
     const vec3 left(spec.position - dvec3(vec3(spec.position)));
     const vec3 left_velocity(spec.velocity - dvec3(vec3(spec.velocity)));
@@ -129,10 +130,19 @@ Variety variety_of(const BallState& balls) {
     if (balls.count() == 0) {
         return variety;
     }
-    variety.radius = balls.positions[0].w;
     variety.mass = balls.velocities[0].w;
-    variety.radii = std::ranges::any_of(balls.positions, [&](const vec4& p) { return p.w != variety.radius; });
+    variety.radius = std::abs(balls.positions[0].w);
+    variety.radii =
+        std::ranges::any_of(balls.positions, [&](const vec4& p) { return std::abs(p.w) != variety.radius; });
     variety.masses = std::ranges::any_of(balls.velocities, [&](const vec4& v) { return v.w != variety.mass; });
+    variety.largest_radius = largest_radius(balls);
+    variety.lightest_mass = variety.heaviest_mass = static_cast<double>(variety.mass);
+    for (const vec4& velocity : balls.velocities) {
+        const auto mass = static_cast<double>(velocity.w);
+        variety.lightest_mass = std::min(variety.lightest_mass, mass);
+        variety.heaviest_mass = std::max(variety.heaviest_mass, mass);
+        variety.total_mass += mass;
+    }
     return variety;
 }
 
@@ -143,7 +153,7 @@ double sphere_mass(double radius, double density) {
 double largest_radius(const BallState& balls) {
     float largest = 0.0f;
     for (const vec4& position : balls.positions) {
-        largest = std::max(largest, position.w);
+        largest = std::max(largest, std::abs(position.w));  // negative: in quarantine
     }
     return static_cast<double>(largest);
 }

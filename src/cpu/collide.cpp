@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quarantine.h"
 #include "cpu/neighbours.h"
 
 namespace ballpit::cpu {
@@ -50,6 +51,12 @@ struct Collider {
     const SubstepParams<Real>& params;
     const Features features;
     const CollideInput<Real>& in;
+    Status& status;  // nobody looks at it without diagnostics
+
+    void count(std::uint32_t bit, std::uint32_t Status::*counter) const {
+        status.bits |= bit;
+        ++(status.*counter);
+    }
 
     Real radius_of(const Vec4<Real>& position) const {
         return features.has(Feature::unequal_radii) ? position.w : params.radius;
@@ -67,9 +74,15 @@ struct Collider {
         return {id, Vec3<Real>(p), radius_of(p), Vec3<Real>(v), mass_of(v), damping_ratio_of(id), left_out};
     }
 
+    // N s/m: 2 zeta sqrt(k m_eff), or so much of it as a substep can follow (core/contact.h).
+    Real dashpot(Real damping_ratio, Real reduced_mass) const {
+        const Real c = Real(2) * damping_ratio * std::sqrt(params.stiffness * reduced_mass);
+        return features.has(Feature::semi_implicit) ? c / (Real(1) + params.damping_time * c / reduced_mass) : c;
+    }
+
     // Force (N) along the contact normal: F = k * overlap - c * separation_speed.
     Real damped_force(Real overlap, Real separation_speed, Real reduced_mass, Real damping_ratio) const {
-        const Real c = Real(2) * damping_ratio * std::sqrt(params.stiffness * reduced_mass);
+        const Real c = dashpot(damping_ratio, reduced_mass);
         const Real force = params.stiffness * overlap - c * separation_speed;
         return features.has(Feature::limit_force) ? std::max(force, Real(0)) : force;
     }
@@ -80,6 +93,9 @@ struct Collider {
             return params.stiffness * overlap;
         }
         const Vec4<Real>& velocity = in.velocities[other];
+        if (features.has(Feature::diagnostics) && !can_be_squared(Vec3<Real>(velocity))) {
+            return 0;  // it goes into quarantine in this very substep
+        }
         const Real mass = mass_of(velocity);
         const Real reduced_mass = a.mass * mass / (a.mass + mass);
         const Real speed = dot(a.velocity - Vec3<Real>(velocity), normal);
@@ -91,8 +107,12 @@ struct Collider {
         const Vec3<Real> offset = a.position - Vec3<Real>(position);
         const Real reach = a.radius + radius_of(position);
         const Real distance_squared = dot(offset, offset);
-        if (!(distance_squared < reach * reach)) {
+        const bool diagnosed = features.has(Feature::diagnostics);
+        if (!(distance_squared < reach * reach) || (diagnosed && in_quarantine(position))) {
             return;
+        }
+        if (diagnosed && distance_squared == 0 && a.id < other) {
+            count(STATUS_COINCIDENT, &Status::coincident);
         }
         const Real distance = std::sqrt(distance_squared);
         const Vec3<Real> normal = distance_squared > 0 ? offset / distance : coincident_direction<Real>(a.id, other);
@@ -106,11 +126,15 @@ struct Collider {
         if (!(overlap > 0)) {
             return 0;
         }
-        return features.has(Feature::dashpot) ? damped_force(overlap, speed, ball.mass, ball.damping_ratio)
-                                              : params.stiffness * overlap;
+        const Real depth = std::min(overlap, params.wall_depth);
+        if (features.has(Feature::diagnostics) && depth < overlap) {
+            count(STATUS_CAPPED_WALL, &Status::capped_walls);
+        }
+        return features.has(Feature::dashpot) ? damped_force(depth, speed, ball.mass, ball.damping_ratio)
+                                              : params.stiffness * depth;
     }
 
-    // Walls are half-spaces: the deeper the ball, the stronger the push, on both sides of the box.
+    // Walls are half-spaces: the deeper the ball, the stronger the push, on both sides of the box, up to wall_depth.
     void add_walls(const Ball<Real>& ball, Vec3<Real>& force) const {
         const bool moving = features.has(Feature::moving_walls);
         const Vec3<Real> from_low = moving ? ball.velocity - params.lower_velocity : ball.velocity;
@@ -182,9 +206,10 @@ void Collider<Real>::add_neighbours(const Ball<Real>& a, Vec3<Real>& force) cons
                        [&](std::uint32_t other) { add_pair(a, other, force); });
 }
 
+// A ball that moves by more than its radius in a substep may miss what is in its way.
 template <class Real>
-bool is_finite(const Vec3<Real>& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+bool too_fast(const Vec3<Real>& way, Real radius) {
+    return dot(way, way) > radius * radius;
 }
 
 }  // namespace
@@ -193,9 +218,17 @@ template <class Real>
 void collide(const SubstepParams<Real>& params, Features features, const CollideInput<Real>& in,
              std::span<Vec4<Real>> next_positions, std::span<Vec4<Real>> next_velocities,
              std::span<LeftOut<Real>> left_out, Status& status) {
-    const Collider<Real> collider{params, features, in};
+    const Collider<Real> collider{params, features, in, status};
     const bool compensated = features.has(Feature::compensated);
+    const bool diagnosed = features.has(Feature::diagnostics);
+    const bool springs = features.has(Feature::contact) || features.has(Feature::walls);
     for (std::uint32_t id = 0; id < params.ball_count; ++id) {
+        Real radius = in.positions[id].w;
+        if (diagnosed && in_quarantine(in.positions[id])) {
+            next_positions[id] = in.positions[id];
+            next_velocities[id] = in.velocities[id];
+            continue;
+        }
         LeftOut<Real> unkept;
         LeftOut<Real>& left = compensated ? left_out[id] : unkept;
         const Ball<Real> ball = collider.ball(id, left.position);
@@ -207,13 +240,18 @@ void collide(const SubstepParams<Real>& params, Features features, const Collide
                                 left.velocity);
         }
         const Vec3<Real> way = collider.way(ball, v, a);
-        const Vec3<Real> x =
-            compensated ? compensated_sum<Real>(ball.position, way, left.position) : ball.position + way;
-        if (features.has(Feature::diagnostics) && (!is_finite(x) || !is_finite(v))) {
-            status.bits |= STATUS_NOT_FINITE;
-            ++status.not_finite;
+        Vec3<Real> x = compensated ? compensated_sum<Real>(ball.position, way, left.position) : ball.position + way;
+        if (diagnosed && (!can_be_squared(x) || !can_be_squared(v))) {
+            collider.count(STATUS_NOT_FINITE, &Status::not_finite);
+            status.quarantined_ball = std::max(status.quarantined_ball, id + 1);
+            x = last_place(ball.position, params.box_lower);
+            v = Vec3<Real>(0);
+            left = {};
+            radius = -radius;
+        } else if (diagnosed && springs && too_fast(way, radius)) {
+            collider.count(STATUS_TOO_FAST, &Status::too_fast);
         }
-        next_positions[id] = Vec4<Real>(x, in.positions[id].w);
+        next_positions[id] = Vec4<Real>(x, radius);
         next_velocities[id] = Vec4<Real>(v, in.velocities[id].w);
     }
 }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/quarantine.h"
 #include "cpu/neighbours.h"
 
 namespace ballpit::cpu {
@@ -32,10 +33,14 @@ void count_missed(const SubstepParams<Real>& params, Features features, std::spa
         const auto way_squared = static_cast<float>(length_squared<Real>(position - Vec3<Real>(built_positions[id])));
         status.drift_bits =
             std::max(status.drift_bits, std::bit_cast<std::uint32_t>(std::isnan(way_squared) ? 0.0f : way_squared));
+        if (in_quarantine(positions[id])) {
+            continue;  // touches nobody
+        }
         const uvec3 cell = cell_coordinates(params, position);
         const auto meet = [&](std::uint32_t other) {
             const Real reach = radius_of(id) + radius_of(other);
-            if (length_squared<Real>(position - Vec3<Real>(positions[other])) < reach * reach &&
+            if (!in_quarantine(positions[other]) &&
+                length_squared<Real>(position - Vec3<Real>(positions[other])) < reach * reach &&
                 !are_adjacent(cell, cell_coordinates(params, Vec3<Real>(built_positions[other])))) {
                 status.bits |= STATUS_MISSED;
                 ++status.missed;

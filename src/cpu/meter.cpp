@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/quarantine.h"
+#include "core/wall_depth.h"
 #include "cpu/neighbours.h"
 
 namespace ballpit::cpu {
@@ -70,12 +72,24 @@ struct Meter {
         return ball;
     }
 
+    // N s/m, as collide has it.
+    double dashpot(double zeta, double reduced_mass) const {
+        const double c = 2.0 * zeta * std::sqrt(wide(params.stiffness) * reduced_mass);
+        return features.has(Feature::semi_implicit) ? c / (1.0 + wide(params.damping_time) * c / reduced_mass) : c;
+    }
+
+    // None of the balls any more, or just about to be none.
+    bool is_out(std::uint32_t id) const {
+        const Vec4<Real>& p = in.positions[id];
+        return in_quarantine(p) || !can_be_squared(Vec3<Real>(p)) || !can_be_squared(Vec3<Real>(in.velocities[id]));
+    }
+
     double force(double overlap, double speed, double reduced_mass, double zeta) const {
         const double spring = wide(params.stiffness) * overlap;
         if (!features.has(Feature::dashpot)) {
             return spring;
         }
-        const double force = spring - 2.0 * zeta * std::sqrt(wide(params.stiffness) * reduced_mass) * speed;
+        const double force = spring - dashpot(zeta, reduced_mass) * speed;
         return features.has(Feature::limit_force) ? std::max(force, 0.0) : force;
     }
 
@@ -83,12 +97,11 @@ struct Meter {
     void add_contact(double overlap, double diameter, double share, const dvec3& normal, double zeta,
                      double reduced_mass, Held& held) {
         const double k = wide(params.stiffness);
-        total[METER_ELASTIC] += share * 0.5 * k * overlap * overlap;
         total[METER_OVERLAP_SHARES] += share * overlap / diameter;
         largest(METER_OVERLAP, overlap);
         largest(METER_OVERLAP_SHARE, overlap / diameter);
         if (features.has(Feature::dashpot)) {
-            const double c = 2.0 * zeta * std::sqrt(k * reduced_mass);
+            const double c = dashpot(zeta, reduced_mass);
             held.damping += glm::outerProduct(normal, c / share * normal);
         }
         held.stiffness += glm::outerProduct(normal, k / share * normal);
@@ -100,7 +113,7 @@ struct Meter {
         const Vec4<Real> offset = in.positions[a.id] - in.positions[other];
         const Real reach = in.positions[a.id].w + in.positions[other].w;
         const Real squared = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
-        if (!(squared < reach * reach)) {
+        if (!(squared < reach * reach) || is_out(other)) {
             return;
         }
         const Real distance = std::sqrt(squared);
@@ -114,6 +127,7 @@ struct Meter {
         const double reduced_mass = a.mass * b.mass / (a.mass + b.mass);
         const double zeta = std::max(a.zeta, b.zeta);
         add_contact(overlap, wide(reach), 0.5, normal, zeta, reduced_mass, held);
+        total[METER_ELASTIC] += 0.25 * wide(params.stiffness) * overlap * overlap;
         const double missing = wide(params.stiffness) * overlap -
                                force(overlap, glm::dot(a.velocity - b.velocity, normal), reduced_mass, zeta);
         total[METER_CONTACT_HEAT] += 0.5 * missing * glm::dot(a.synchronised - b.synchronised, normal);
@@ -134,6 +148,8 @@ struct Meter {
         double wall_speed;  // along the normal
     };
 
+    double held_depth(const Wall& wall) const { return std::min(wall.overlap, wide(params.wall_depth)); }
+
     std::array<Wall, 6> walls(const Ball& ball) const {
         std::array<Wall, 6> walls{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -147,8 +163,8 @@ struct Meter {
         }
         for (Wall& wall : walls) {
             if (wall.overlap > 0.0) {
-                wall.force =
-                    force(wall.overlap, wall.side * ball.velocity[wall.axis] - wall.wall_speed, ball.mass, ball.zeta);
+                wall.force = force(held_depth(wall), wall.side * ball.velocity[wall.axis] - wall.wall_speed, ball.mass,
+                                   ball.zeta);
             }
         }
         return walls;
@@ -162,8 +178,10 @@ struct Meter {
         normal[wall.axis] = wall.side;
         add_contact(wall.overlap, 2.0 * ball.radius, 1.0, normal, ball.zeta, ball.mass, held);
         const double speed = glm::dot(ball.synchronised, normal) - wall.wall_speed;
+        const double k = wide(params.stiffness);
+        total[METER_ELASTIC] += capped_spring_energy(k, wall.overlap, wide(params.wall_depth));
         total[METER_WALL_CONTACTS] += 1.0;
-        total[METER_WALL_HEAT] += (wide(params.stiffness) * wall.overlap - wall.force) * speed;
+        total[METER_WALL_HEAT] += (k * held_depth(wall) - wall.force) * speed;
         total[METER_WALL_WORK] += wall.force * wall.wall_speed;
         if (wall.axis == 2 && wall.side > 0.0) {
             total[METER_FLOOR_FORCE] += wall.force;
@@ -171,6 +189,9 @@ struct Meter {
     }
 
     void add_ball(std::uint32_t id) {
+        if (is_out(id)) {
+            return;
+        }
         Ball a = ball(id);
         Held held;
         const bool has_walls = features.has(Feature::walls);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "measure/neighbours.h"
@@ -189,7 +190,7 @@ std::vector<float> contact_values(const FoundPairs& pairs, std::size_t balls) {
 
 std::vector<float> radius_values(const BufferSample& sample) {
     std::vector<float> values(sample.positions.size());
-    std::ranges::transform(sample.positions, values.begin(), [](const vec4& position) { return position.w; });
+    std::ranges::transform(sample.positions, values.begin(), [](const vec4& position) { return std::abs(position.w); });
     return values;
 }
 

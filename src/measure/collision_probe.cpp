@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/contact.h"
+#include "core/quarantine.h"
 #include "measure/statistics.h"
 
 namespace ballpit::measure {
@@ -135,7 +137,10 @@ void CollisionProbe::follow(const Bytes& history) {
         for (std::size_t i = 0; i < tracks_.size(); ++i) {
             const ProbedCollision& c = collisions_.collisions[i];
             const double distance = c.wall ? at(x, c.ball) - collisions_.wall : at(x, c.ball + 1) - at(x, c.ball);
-            const double velocity = c.wall ? at(v, c.ball) : at(v, c.ball + 1) - at(v, c.ball);
+            const bool lost = in_quarantine(x[c.ball]) || (!c.wall && in_quarantine(x[c.ball + 1]));
+            const double velocity = lost     ? std::numeric_limits<double>::infinity()
+                                    : c.wall ? at(v, c.ball)
+                                             : at(v, c.ball + 1) - at(v, c.ball);
             Track& track = tracks_[i];
             track.pushed += velocity != track.velocity ? 1u : 0u;
             track.velocity = velocity;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/quarantine.h"
 #include "measure/pairs.h"
 
 namespace ballpit::measure {
@@ -140,7 +141,7 @@ CollideBound collide_bound(const SubstepParams<double>& params, Features feature
     }
     CollideBound bound;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (features.has(Feature::walls)) {
+        if (features.has(Feature::walls) && !in_quarantine(positions[i])) {
             bounder.add_walls(contacts[i], i);
         }
         const Bounder::Errors errors = bounder.errors(contacts[i], i);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/quarantine.h"
 #include "measure/float_bound.h"
 
 namespace ballpit::measure {
@@ -31,9 +32,13 @@ double wall_force(const SubstepParams<double>& p, Features features, double over
     if (overlap <= 0.0) {
         return 0.0;
     }
-    double force = p.stiffness * overlap;
+    double force = p.stiffness * std::min(overlap, p.wall_depth);
     if (features.has(Feature::dashpot)) {
-        force -= 2.0 * zeta * std::sqrt(p.stiffness * mass) * separation_speed;
+        double c = 2.0 * zeta * std::sqrt(p.stiffness * mass);
+        if (features.has(Feature::semi_implicit)) {
+            c /= 1.0 + p.damping_time * c / mass;
+        }
+        force -= c * separation_speed;
     }
     return features.has(Feature::limit_force) ? std::max(force, 0.0) : force;
 }
@@ -68,6 +73,9 @@ Violation momentum_balanced(const SubstepParams<double>& params, Features featur
     dvec3 unexplained(0.0);
     double tolerance = 0.0;
     for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (in_quarantine(positions[i])) {
+            continue;
+        }
         const auto mass = static_cast<double>(velocities[i].w);
         const double zeta =
             features.has(Feature::ball_restitution) ? static_cast<double>(damping_ratios[i]) : params.damping_ratio;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/quarantine.h"
+
 namespace ballpit::measure {
 
 namespace {
@@ -48,7 +50,7 @@ bool touching(const vec4& a, const vec4& b) {
     const float y = a.y - b.y;
     const float z = a.z - b.z;
     const float reach = a.w + b.w;
-    return x * x + y * y + z * z < reach * reach;
+    return x * x + y * y + z * z < reach * reach && !in_quarantine(a) && !in_quarantine(b);
 }
 
 std::vector<Pair> brute_force_pairs(std::span<const vec4> positions) {

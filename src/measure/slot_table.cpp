@@ -25,12 +25,16 @@ constexpr std::array<SlotColumn, 6> compensation_columns = {{{"x", "m", true},
                                                              {"vx", "m/s", true},
                                                              {"vy", "m/s", true},
                                                              {"vz", "m/s", true}}};
-constexpr std::array<SlotColumn, 6> status_columns = {{{"bits", "", false},
-                                                       {"not_finite", "", false},
-                                                       {"out_of_bounds", "", false},
-                                                       {"over_capacity", "", false},
-                                                       {"missed", "", false},
-                                                       {"drift_bits", "", false}}};
+constexpr std::array<SlotColumn, 10> status_columns = {{{"bits", "", false},
+                                                        {"not_finite", "", false},
+                                                        {"out_of_bounds", "", false},
+                                                        {"over_capacity", "", false},
+                                                        {"missed", "", false},
+                                                        {"drift_bits", "", false},
+                                                        {"too_fast", "", false},
+                                                        {"coincident", "", false},
+                                                        {"capped_walls", "", false},
+                                                        {"quarantined_ball", "", false}}};
 
 std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t word) {
     std::uint32_t value = 0;

@@ -114,7 +114,10 @@ double lightest_dashpot(const MeterReading& reading, const Settings& settings) {
     const double restitution = settings.laws.restitution ? settings.restitution : 1.0;
     const double zeta = damping_ratio_from_restitution(restitution, settings.limit_force);
     const double mass = (settings.laws.contact ? 0.5 : 1.0) / reading.max_lightness;
-    return 2.0 * zeta * std::sqrt(settings.stiffness * mass);
+    const double c = 2.0 * zeta * std::sqrt(settings.stiffness * mass);
+    return settings.dashpot == DashpotMethod::semi_implicit
+               ? c / (1.0 + semi_implicit_share * substep(settings) * c / mass)
+               : c;
 }
 
 // These integrators act as a dashpot of their own that pushes: -k dt for forward Euler, half of it for the historical.

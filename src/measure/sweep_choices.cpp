@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/grid_reuse.h"
+#include "core/quarantine.h"
 #include "core/stopwatch.h"
 #include "measure/statistics.h"
 #include "measure/sweep.h"
@@ -25,7 +26,8 @@ double energy_above_floor(const MeterRecord& record, const Box& box) {
 }
 
 bool all_finite(std::span<const vec4> positions) {
-    return std::ranges::all_of(positions, [](const vec4& p) { return std::isfinite(p.x + p.y + p.z); });
+    return std::ranges::all_of(positions,
+                               [](const vec4& p) { return std::isfinite(p.x + p.y + p.z) && !in_quarantine(p); });
 }
 
 }  // namespace

@@ -46,6 +46,10 @@ struct ChangeTextSize {
 };
 /// Forget the failures counted so far.
 struct ClearStatus {};
+/// No more of what is warned of now.
+struct HideWarnings {};
+/// Pushes balls that overlap apart, before anything else moves.
+struct RelaxOverlaps {};
 struct DismissMessage {};
 /// What each law costs, measured anew.
 struct MeasureLaws {};
@@ -121,11 +125,12 @@ struct NameFile {
     std::string name;
 };
 
-using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
-                             ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
-                             SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
-                             SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget,
-                             ChangePlay, RestartMeters, StartSweep, StopSweep, ChooseMetric>;
+using Command =
+    std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
+                 ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
+                 SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
+                 SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget, ChangePlay,
+                 RestartMeters, HideWarnings, RelaxOverlaps, StartSweep, StopSweep, ChooseMetric>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

@@ -58,6 +58,9 @@ void left_side(const State& state, Commands& commands) {
     if (has_failure(state)) {
         stack.window("status", alarm_colour, [&] { status_panel(state, commands); });
     }
+    if (state.view.panels && has_warning(state)) {
+        stack.window("warnings", notice_colour, [&] { warnings_panel(state, commands); });
+    }
     if (state.view.panels && state.view.timings) {
         stack.window("timings", [&] { timings_panel(state); });
     }

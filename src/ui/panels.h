@@ -18,6 +18,7 @@ void light_panel(const State& state, Commands& commands);
 void frame_rate_panel(const State& state);
 void message_panel(const State& state, Commands& commands);
 void status_panel(const State& state, Commands& commands);
+void warnings_panel(const State& state, Commands& commands);
 void timings_panel(const State& state);
 void occupancy_panel(const State& state);
 void share_panel(const State& state, Commands& commands);
@@ -36,5 +37,7 @@ float hash_corner_height(const State& state);
 
 /// Whether there is a failure to show in red.
 inline bool has_failure(const State& state) { return state.status.bits != 0; }
+/// Whether there is something to warn of.
+bool has_warning(const State& state);
 
 }  // namespace ballpit::ui

@@ -87,6 +87,7 @@ struct Control {
     bool operator()(Integrator Settings::*member) const { return choice(edited.*member); }
     bool operator()(SortMethod Settings::*member) const { return choice(edited.*member); }
     bool operator()(NeighbourSearch Settings::*member) const { return choice(edited.*member); }
+    bool operator()(DashpotMethod Settings::*member) const { return choice(edited.*member); }
 
     template <class Enum>
     bool choice(Enum& value) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/extremes.h"
 #include "core/features.h"
 #include "core/layout.h"
 #include "core/settings.h"
@@ -72,6 +73,7 @@ struct State {
     std::span<const TimingRow> timings;
 
     Status status{};
+    ExtremeNumbers extremes;  // without those that were hidden
     bool has_grid = true;
     double cell_width = 0.0;                        // m
     double largest_radius = 0.0;                    // m

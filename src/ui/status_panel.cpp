@@ -8,44 +8,61 @@
 
 namespace ballpit::ui {
 
-namespace {
-
-// Counts sum over substeps: the same ball may be in them many times.
-std::string times(std::uint32_t count) { return grouped(count) + (count == 1 ? " time" : " times"); }
-
-}  // namespace
-
-std::vector<std::string> failure_sentences(const Status& status) {
+std::vector<std::string> extreme_sentences(const ExtremeNumbers& numbers, bool alarms) {
     std::vector<std::string> sentences;
-    if ((status.bits & STATUS_NOT_FINITE) != 0) {
-        sentences.push_back("collide: a ball got a position or velocity that is no number, " +
-                            times(status.not_finite) +
-                            ". More substeps, a shorter step or less stiffness help; then restart.");
-    }
-    if ((status.bits & STATUS_OUT_OF_BOUNDS) != 0) {
-        sentences.push_back("assign_cells: a ball's centre was outside the box, " + times(status.out_of_bounds) +
-                            ". It counts as in the nearest cell.");
-    }
-    if ((status.bits & STATUS_OVER_CAPACITY) != 0) {
-        sentences.push_back("build_grid: a key named a cell or ball that has no room, " + times(status.over_capacity) +
-                            ". Its contacts are missing.");
-    }
-    if ((status.bits & STATUS_MISSED) != 0) {
-        sentences.push_back("count_missed: a ball would not have found one that it touches, " + times(status.missed) +
-                            ": balls go up to " + length_text(drift(status)) +
-                            " while a grid is used. A wider cell factor or less reuse helps.");
+    for (const ExtremeInfo& info : extreme_table()) {
+        const bool alarm = info.counted && info.extreme != Extreme::hitches;
+        if (alarm == alarms && numbers[info.extreme] != 0.0) {
+            sentences.push_back(extreme_text(info, numbers[info.extreme]));
+        }
     }
     return sentences;
 }
 
 void status_panel(const State& state, Commands& commands) {
     ImGui::PushTextWrapPos(26.0f * em());
-    for (const std::string& sentence : failure_sentences(state.status)) {
+    for (const std::string& sentence : extreme_sentences(state.extremes, true)) {
         text(sentence);
+    }
+    if ((state.status.bits & STATUS_MISSED) != 0) {
+        text("Balls go up to " + length_text(drift(state.status)) + " while a grid is used.");
+    }
+    if (state.status.quarantined_ball > 0) {
+        text("The last of the balls in quarantine is number " + std::to_string(state.status.quarantined_ball - 1) +
+             ".");
     }
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Forget")) {
         commands.push_back(ClearStatus{});
+    }
+}
+
+bool has_warning(const State& state) { return !extreme_sentences(state.extremes, false).empty(); }
+
+void warnings_panel(const State& state, Commands& commands) {
+    ImGui::PushTextWrapPos(26.0f * em());
+    for (const std::string& sentence : extreme_sentences(state.extremes, false)) {
+        text(sentence);
+    }
+    ImGui::PopTextWrapPos();
+    if (ImGui::Button("Hide")) {
+        commands.push_back(HideWarnings{});
+    }
+    if (state.extremes[Extreme::initial_overlap] != 0.0) {
+        ImGui::SameLine();
+        if (ImGui::Button("Relax")) {
+            commands.push_back(RelaxOverlaps{});
+        }
+        tooltip("Pushes balls that overlap apart, before anything else moves.");
+    }
+    if (state.extremes[Extreme::explicit_dashpot_limit] != 0.0) {
+        ImGui::SameLine();
+        if (ImGui::Button("dashpot = semi_implicit")) {
+            ChangeSettings change{state.settings};
+            change.settings.dashpot = DashpotMethod::semi_implicit;
+            commands.push_back(change);
+        }
+        tooltip("A dashpot that no substep is too long for.");
     }
 }
 

@@ -95,8 +95,10 @@ void reads_what_was_written(Backend& backend) {
     CHECK((read_slot<Key>(backend, Slot::keys)[127] == Key{3, 4}));
     Status status{};
     status.over_capacity = 4;
+    status.quarantined_ball = 8;
     write_slot(backend, Slot::status, std::vector{status});
     CHECK(read_slot<Status>(backend, Slot::status).at(0).over_capacity == 4);
+    CHECK(read_slot<Status>(backend, Slot::status).at(0).quarantined_ball == 8);
 }
 
 void copies_arrive_as_of_the_request(Backend& backend) {

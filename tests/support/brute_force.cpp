@@ -13,8 +13,12 @@ struct Law {
     Features features;
     const Settings& settings;
     std::vector<double> zetas;  // damping ratio of each ball
+    double wall_depth = 0.0;    // m: the largest diameter, where nothing has weight
 
     Law(const BallState& state, Features laws, const Settings& given) : features(laws), settings(given) {
+        for (const vec4& position : state.positions) {
+            wall_depth = std::max(wall_depth, 2.0 * static_cast<double>(position.w));
+        }
         const double common = damping_ratio_from_restitution(settings.restitution, settings.limit_force);
         zetas.assign(state.count(), common);
         for (std::size_t i = 0; features.has(Feature::ball_restitution) && i < zetas.size(); ++i) {
@@ -69,8 +73,9 @@ void add_walls(const BallState& state, std::size_t i, const Law& law, const dvec
             const double gap = half_extent[axis] - side * static_cast<double>(state.positions[i][axis]);
             const double overlap = static_cast<double>(state.positions[i].w) - gap;
             if (overlap > 0.0) {
-                law.push(ball, force, inward, overlap, glm::dot(dvec3(state.velocities[i]), inward),
-                         static_cast<double>(state.velocities[i].w), law.zetas[i]);
+                law.push(ball, force, inward, std::min(overlap, law.wall_depth),
+                         glm::dot(dvec3(state.velocities[i]), inward), static_cast<double>(state.velocities[i].w),
+                         law.zetas[i]);
             }
         }
     }

@@ -115,7 +115,11 @@ void contains_a_ball_that_is_no_number(Backend& backend) {
     CHECK((status.bits & STATUS_NOT_FINITE) != 0);
     CHECK(status.not_finite == 2);
     const auto next = read_slot<vec4>(backend, Slot::next_positions);
-    CHECK(std::isnan(next[17].y));
+    CHECK(status.quarantined_ball == 41);
+    CHECK(next[17] ==
+          vec4(state.positions[17].x, setup.params.box_lower.y, state.positions[17].z, -state.positions[17].w));
+    CHECK(next[40] == vec4(vec3(state.positions[40]), -state.positions[40].w));
+    CHECK(vec3(read_slot<vec4>(backend, Slot::next_velocities)[40]) == vec3(0.0f));
     CHECK(std::isfinite(next[18].x + next[18].y + next[18].z));
 }
 

@@ -78,6 +78,13 @@ const std::vector<ZeroLaw>& zero_laws() {
              s.restitution = 1.0;
          },
          Feature::limit_force},
+        {"nothing lost, by a semi-implicit dashpot", "gravity,contact,walls",
+         [](Settings& s) {
+             s.laws.restitution = true;
+             s.restitution = 1.0;
+             s.dashpot = DashpotMethod::semi_implicit;
+         },
+         Feature::semi_implicit},
         {"nothing lost, and contacts may pull", "gravity,contact,walls",
          [](Settings& s) {
              s.laws.restitution = true;
