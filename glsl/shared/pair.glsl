@@ -40,11 +40,11 @@ bool touches(Ball a, uint other, out vec3 normal, out float overlap, out float r
     precise float reach_squared = reach * reach;
     radii = reach;
 #ifdef QUARANTINE
-    if (position.w < 0.0) {
-        distance_squared = reach_squared;   // one in quarantine touches nobody
-    }
+    bool held = position.w < 0.0;   // one in quarantine touches nobody; asked of those alone that would touch
+#else
+    const bool held = false;
 #endif
-    if (distance_squared < reach_squared) {   // false for NaN
+    if (distance_squared < reach_squared && !held) {   // false for NaN
 #ifdef DIAGNOSTICS
         if (distance_squared == 0.0 && a.id < other) {
             atomicOr(status.bits, STATUS_COINCIDENT);
