@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "core/ball_state.h"
 #include "core/box.h"
@@ -22,6 +23,16 @@ bool can_be_squared(const Vec3<Real>& v) {
 template <class Real>
 bool in_quarantine(const Vec4<Real>& position) {
     return position.w < 0;
+}
+
+/// Whether some ball goes into quarantine between these two states of the same balls: what it had of momentum is gone.
+inline bool any_enters_quarantine(std::span<const vec4> before, std::span<const vec4> after) {
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (!in_quarantine(before[i]) && in_quarantine(after[i])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// Along each axis where the ball was, or else in the corner.

@@ -24,8 +24,8 @@ bool replaces(const Change& before, const Change& after) {
     const auto* b = std::get_if<Settings>(&after);
     return a != nullptr && b != nullptr && a->balls == b->balls && a->laws == b->laws &&
            a->integrator == b->integrator && a->neighbours == b->neighbours && a->limit_force == b->limit_force &&
-           a->restitution == b->restitution && same_ball_pulled(*a, *b) && a->shake_amplitude == b->shake_amplitude &&
-           a->walls_low == b->walls_low && a->walls_high == b->walls_high;
+           a->dashpot == b->dashpot && a->restitution == b->restitution && same_ball_pulled(*a, *b) &&
+           a->shake_amplitude == b->shake_amplitude && a->walls_low == b->walls_low && a->walls_high == b->walls_high;
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // Two balls, or very many, at what a contact can be asked for.
+#include <algorithm>
 #include <cmath>
 
 #include "measure/extreme_rows.h"
+#include "measure/warnings.h"
 
 namespace ballpit::measure {
 
@@ -46,7 +48,7 @@ void coincident_centres(ExtremeTrial& trial) {
     Simulation again = trial.start(scene);
     run_steps(again, 10);
     trial.expect(hash_of(again) == hash_of(simulation), "the same direction each time");
-    trial.note_signs(simulation);
+    trial.expect_sign(simulation, "coincident");
 
     for (int i = 0; i < 30; ++i) {
         put_ball(scene, {0, 0, 0}, {0, 0, 0});
@@ -111,10 +113,63 @@ void tunnelling(ExtremeTrial& trial) {
     }
     Simulation fast = trial.start(head_on(400.0));
     run_steps(fast, 4);
-    trial.expect_sign(fast, "v dt / D");
+    trial.expect_sign(fast, "too_fast");
     Simulation slow = trial.start(head_on(5.0));
     run_steps(slow, 100);
     trial.expect_no_sign(slow);
+}
+
+void deep_overlap(ExtremeTrial& trial) {
+    Scene scene = extreme_scene("contact,walls", 2.0);
+    scene.settings.stiffness = 1e5;
+    scene.settings.substeps = 16;
+    put_ball(scene, {-0.005, 0, 0}, {0, 0, 0});
+    put_ball(scene, {0.005, 0, 0}, {0, 0, 0});
+    for (const bool relaxed : {false, true}) {
+        Simulation simulation = trial.start(scene);
+        const double stored = stored_in_overlaps(simulation.synchronised_state(), simulation.settings(),
+                                                 simulation.features(), simulation.box());
+        trial.near("stored at the start", stored, 0.5 * 1e5 * 0.19 * 0.19, 1e-5, " J");
+        trial.note({"initial_overlap", stored});
+        if (relaxed) {
+            simulation.apply(Relax{});
+            trial.at_most("relaxed, stored", totals_of(simulation).elastic, 1e-5 * stored, " J");
+        }
+        run_steps(simulation, 2);
+        const double fastest = metered(simulation).reading.max_speed;
+        if (relaxed) {
+            trial.at_most("then they part at", fastest, 0.5, " m/s");
+        } else {
+            trial.near("let go, they part at", fastest, std::sqrt(stored), 0.01, " m/s");
+        }
+    }
+}
+
+void overdamped(ExtremeTrial& trial) {
+    // At rest on the floor: h = omega dt = 1, zeta = 1.95 where the force is limited; explicit dashpots go to h = 0.48.
+    Scene scene = extreme_scene("gravity,walls,restitution", 2.0);
+    scene.settings.stiffness = 1e4;
+    scene.settings.restitution = 0.05;
+    scene.settings.dt = 0.01;
+    scene.settings.substeps = 1;
+    put_ball(scene, {0, 0, -1.9}, {0, 0, 0});
+    for (const char* dashpot : {"explicit", "semi_implicit"}) {
+        assign_setting(scene.settings, "dashpot", dashpot);
+        Simulation simulation = trial.start(scene);
+        double fastest = 0.0;
+        for (int step = 0; step < 1000; ++step) {
+            run_steps(simulation, 1);
+            fastest = std::max(fastest, metered(simulation).reading.max_speed);
+        }
+        if (std::string_view(dashpot) == "explicit") {
+            trial.at_least("explicit, fastest", fastest, 1.0, " m/s");
+            trial.expect_sign(simulation, "explicit_dashpot_limit");
+        } else {
+            trial.at_most("semi-implicit, fastest", fastest, 0.1, " m/s");
+            trial.at_most("after 10 s", metered(simulation).reading.max_speed, 1e-4, " m/s");
+            trial.expect_no_sign(simulation, "explicit_dashpot_limit");
+        }
+    }
 }
 
 }  // namespace ballpit::measure

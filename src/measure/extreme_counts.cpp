@@ -75,7 +75,7 @@ void unequal_radii(ExtremeTrial& trial) {
     run_steps(narrow, 2);
     const NeighbourReport report = grid_report(trial, narrow);
     trial.at_least("cells 0.3 of the diameter: missed", static_cast<double>(report.missed.size()), 1.0);
-    trial.expect_sign(narrow, "cell / 2 r");
+    trial.expect_sign(narrow, "cell_too_small");
 }
 
 }  // namespace ballpit::measure

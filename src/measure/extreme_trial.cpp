@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/extremes.h"
 #include "measure/invariants.h"
+#include "measure/warnings.h"
 
 namespace ballpit::measure {
 
@@ -128,22 +130,22 @@ MeterRecord metered(Simulation& simulation) {
 }
 
 std::vector<ExtremeSign> signs_of(Simulation& simulation) {
+    const MeterRecord record = metered(simulation);
+    const ExtremeNumbers counted = counted_extremes(read_slot<Status>(simulation.backend(), Slot::status).front());
+    const ExtremeNumbers warned = warnings_of(simulation, &record);
     std::vector<ExtremeSign> signs;
-    const Status status = read_slot<Status>(simulation.backend(), Slot::status).front();
-    const auto count = [&](const char* key, std::uint32_t number) {
-        if (number != 0) {
-            signs.push_back({key, static_cast<double>(number)});
-        }
-    };
-    count("not_finite", status.not_finite);
-    count("out_of_bounds", status.out_of_bounds);
-    count("over_capacity", status.over_capacity);
-    for (const Gauge& gauge : gauges(metered(simulation), simulation)) {
-        if (gauge.light() != Light::green) {
-            signs.push_back({std::string(gauge.name), gauge.value});
+    for (const ExtremeInfo& info : extreme_table()) {
+        const double number = info.counted ? counted[info.extreme] : warned[info.extreme];
+        if (number != 0.0) {
+            signs.push_back({std::string(info.key), number});
         }
     }
     return signs;
+}
+
+bool has_sign(Simulation& simulation, std::string_view key) {
+    const std::vector<ExtremeSign> signs = signs_of(simulation);
+    return std::ranges::find(signs, key, &ExtremeSign::key) != signs.end();
 }
 
 Gauge gauge_of(Simulation& simulation, std::string_view name) {

@@ -36,13 +36,12 @@ public:
     void expect_no_sign(Simulation& simulation, std::string_view key);
     /// Into the row, without a claim.
     void note_signs(Simulation& simulation);
+    void note(const ExtremeSign& sign);
 
     const std::vector<ExtremeClaim>& claims() const { return claims_; }
     const std::vector<ExtremeSign>& signs() const { return signs_; }
 
 private:
-    void note(const ExtremeSign& sign);
-
     const MakeBackend& make_backend_;
     std::vector<ExtremeClaim> claims_;
     std::vector<ExtremeSign> signs_;
@@ -66,12 +65,13 @@ Totals totals_of(Simulation& simulation);
 bool all_finite(const BallState& state);
 /// Of the present moment; waits for the device.
 MeterRecord metered(Simulation& simulation);
-/// Those of the present moment that are not green, by name; everything that was counted.
+/// Everything that was counted, and what the present moment is warned of (core/extremes.h).
 std::vector<ExtremeSign> signs_of(Simulation& simulation);
+bool has_sign(Simulation& simulation, std::string_view key);
 /// The gauge with this name of the present moment; value 0 where there is none.
 Gauge gauge_of(Simulation& simulation, std::string_view name);
-/// What the grid finds of the touching pairs of the present moment; runs a substep. Keys and cells must be as the stages
-/// promise.
+/// What the grid finds of the touching pairs of the present moment; runs a substep. Keys and cells must be as the
+/// stages promise.
 NeighbourReport grid_report(ExtremeTrial& trial, Simulation& simulation);
 
 }  // namespace ballpit::measure

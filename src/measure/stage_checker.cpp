@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/quarantine.h"
 #include "measure/float_bound.h"
 #include "measure/invariants.h"
 #include "measure/momentum.h"
@@ -28,6 +29,9 @@ Violation violation_after(Backend& backend, const Schedule& schedule, const Disp
         const auto velocities = read_slot<vec4>(backend, in_place ? Slot::velocities : Slot::next_velocities);
         if (Violation violation = all_finite(positions, velocities)) {
             return violation;
+        }
+        if (any_enters_quarantine(before.positions, positions)) {
+            return std::nullopt;
         }
         return momentum_balanced(params, dispatch.program.features, before.positions, before.velocities,
                                  read_slot<float>(backend, Slot::damping_ratios), velocities, before.compensations);
