@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-#include "core/random.h"
+#include "support/dice.h"
 
 namespace ballpit::test {
 
@@ -63,26 +63,6 @@ const std::array<json, 9>& values() {
         json::object(), json(4194304u),   json(std::numeric_limits<std::uint64_t>::max())};
     return list;
 }
-
-// The n-th random number of a case.
-class Dice {
-public:
-    Dice(std::uint64_t seed, std::uint64_t number) : seed_(seed), number_(number) {}
-
-    double unit() { return random_unit(seed_, number_, next_++); }
-    std::size_t below(std::size_t count) {
-        return std::min(count - 1, static_cast<std::size_t>(unit() * static_cast<double>(count)));
-    }
-    template <class List>
-    const auto& one_of(const List& list) {
-        return list[below(list.size())];
-    }
-
-private:
-    std::uint64_t seed_;
-    std::uint64_t number_;
-    std::uint64_t next_ = 0;
-};
 
 void collect(json& node, std::vector<json*>& found) {
     found.push_back(&node);
