@@ -1,7 +1,6 @@
 // The views into grid, neighbours and buffers without a window: what they take from the copies, what they say, what a
-// click asks for, and that both sides of the split screen stay together.
+// click asks for.
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -9,34 +8,22 @@
 #include "app/probe_legend.h"
 #include "app/probe_overlay.h"
 #include "app/probe_sample.h"
-#include "app/window_split.h"
 #include "app/window_views.h"
 #include "support/catch.h"
 #include "support/headless_gui.h"
-#include "support/scenes.h"
+#include "support/inspection.h"
 #include "support/temporary_folder.h"
 #include "ui/paging.h"
 #include "ui/probe_panels.h"
 #include "ui/widgets.h"
 
 using namespace ballpit;
+using test::inspected_session;
+using test::Loop;
 
 namespace {
 
 bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
-app::Session make_session(std::string_view scene, std::uint32_t balls, std::uint32_t substeps = 2) {
-    app::WindowOptions options;
-    options.scene = test::shipped_scene(scene);
-    options.scene_file = std::string(scene);
-    options.settings = options.scene.settings;
-    options.settings.balls = balls;
-    options.settings.substeps = substeps;
-    options.settings.neighbours = NeighbourSearch::grid;  // there are cells to look into, also where balls are few
-    options.seed = test::seed_of(options.scene);
-    options.backend = "cpu";
-    return app::Session(options, false, "");
-}
 
 struct Copies {
     std::array<Bytes, slot_count> bytes;
@@ -57,35 +44,6 @@ measure::BufferSample sample_of(app::Session& session) {
     REQUIRE(sample);
     return *sample;
 }
-
-// One frame of the views, as the window runs them.
-struct Loop {
-    app::Session session;
-    app::Inspector inspector;
-    app::Views views;
-    ui::Inspection inspection;
-    ui::ViewOptions view;
-    ui::ProbeState state;
-    double now_s = 0.0;
-
-    explicit Loop(app::Session made) : session(std::move(made)) {}
-
-    void frame(bool running = false) {
-        now_s += 0.5;
-        if (views.needs_cells(view, inspection)) {
-            session.prepare_cells();
-        }
-        if (running) {
-            session.step();
-        }
-        views.want(inspector, view, inspection);
-        inspector.update(session, running, now_s);
-        inspector.describe(inspection, now_s);
-        views.update(session, inspector, inspection, view, {}, running, now_s);
-        views.describe(state, session, inspection, view, 8);
-    }
-    void act(ui::Action action) { REQUIRE(views.act(action, inspection, session)); }
-};
 
 vec3 grey(float amount) { return vec3(amount); }
 
@@ -111,7 +69,7 @@ std::string follow_text(test::HeadlessGui& gui, const ui::ProbeState& probe) {
 }  // namespace
 
 TEST_CASE("a sample is of one substep, wherever in it the run stands", "[inspection]") {
-    app::Session session = make_session("rain", 300);
+    app::Session session = inspected_session("rain", 300);
     session.forward(StepUnit::step);
     const Moment moment = session.stepper().position().moment;
     const auto count = static_cast<std::uint32_t>(session.stepper().schedule().dispatches.size());
@@ -141,7 +99,7 @@ TEST_CASE("a sample is of one substep, wherever in it the run stands", "[inspect
 }
 
 TEST_CASE("before the first substep a sample has what was filled ahead of it", "[inspection]") {
-    app::Session session = make_session("rain", 300);
+    app::Session session = inspected_session("rain", 300);
     const measure::BufferSample bare = sample_of(session);
     CHECK(bare.keys.empty());
     CHECK(bare.cell_ranges.empty());
@@ -166,7 +124,7 @@ TEST_CASE("before the first substep a sample has what was filled ahead of it", "
 }
 
 TEST_CASE("the trace names every buffer, and each arrow leads to its element", "[inspection]") {
-    Loop loop(make_session("pile", 800));
+    Loop loop(inspected_session("pile", 800));
     loop.session.forward(StepUnit::step);
     loop.act(ui::Action::next_ball);
     CHECK(loop.inspection.ball == 0u);
@@ -205,7 +163,7 @@ TEST_CASE("the trace names every buffer, and each arrow leads to its element", "
 }
 
 TEST_CASE("in the middle of a substep the follow panel says what is still to come", "[inspection]") {
-    Loop loop(make_session("pile", 200));
+    Loop loop(inspected_session("pile", 200));
     loop.session.forward(StepUnit::pass);  // assign_cells
     loop.act(ui::Action::next_ball);
     loop.frame();
@@ -219,7 +177,7 @@ TEST_CASE("in the middle of a substep the follow panel says what is still to com
 }
 
 TEST_CASE("a click picks the ball or the cell under it, beside everything it clears", "[inspection]") {
-    Loop loop(make_session("two_balls", 2));
+    Loop loop(inspected_session("two_balls", 2));
     const app::WindowExtent window{1000.0f, 800.0f, 1000.0f};
     view::Camera camera;
     camera.position = vec3(0.0f, -6.0f, 0.0f);
@@ -248,7 +206,7 @@ TEST_CASE("a click picks the ball or the cell under it, beside everything it cle
 }
 
 TEST_CASE("the table of cells lists, filters and leads to the balls", "[inspection]") {
-    Loop loop(make_session("pile", 500));
+    Loop loop(inspected_session("pile", 500));
     loop.act(ui::Action::toggle_cells);
     loop.frame();
     REQUIRE_FALSE(loop.state.cells.empty());
@@ -279,7 +237,7 @@ TEST_CASE("the table of cells lists, filters and leads to the balls", "[inspecti
 }
 
 TEST_CASE("every buffer is a table with units, paged where it is long", "[inspection]") {
-    Loop loop(make_session("pile", 300));
+    Loop loop(inspected_session("pile", 300));
     loop.session.forward(StepUnit::step);
     loop.act(ui::Action::toggle_buffers);
     test::HeadlessGui gui;
@@ -340,7 +298,7 @@ TEST_CASE("a slot is exported whole, and a place that cannot be written is told"
     const test::TemporaryFolder folder;
     const auto before = std::filesystem::current_path();
     std::filesystem::current_path(folder.path());
-    Loop loop(make_session("pile", 100));
+    Loop loop(inspected_session("pile", 100));
     loop.session.forward(StepUnit::step);
     loop.act(ui::Action::toggle_buffers);
     loop.frame();
@@ -370,110 +328,8 @@ TEST_CASE("a slot is exported whole, and a place that cannot be written is told"
     std::filesystem::current_path(before);
 }
 
-TEST_CASE("both sides of the split screen take the same steps, forth and back", "[inspection]") {
-    app::Session session = make_session("pile", 300);
-    session.forward(StepUnit::step);
-    app::Split split;
-    CHECK_FALSE(split.follow(session));
-    REQUIRE(split.open());
-    const auto right = [&] { return read_slot<vec4>(split.simulation().backend(), Slot::positions); };
-    const auto left = [&] { return read_slot<vec4>(session.simulation().backend(), Slot::positions); };
-    CHECK(right() == left());
-    CHECK(split.simulation().settings().neighbours == NeighbourSearch::brute_force);
-    CHECK(split.simulation().schedule().cell_count == 0);
-
-    std::vector<std::vector<vec4>> states{right()};
-    for (int i = 0; i < 5; ++i) {
-        session.forward(StepUnit::substep);
-        CHECK_FALSE(split.follow(session));
-        CHECK(split.simulation().step_count() == session.simulation().step_count());
-        CHECK(split.simulation().substep_in_step() == session.simulation().substep_in_step());
-        states.push_back(right());
-    }
-    for (int i = 4; i >= 0; --i) {
-        session.back(StepUnit::substep);
-        CHECK_FALSE(split.follow(session));
-        CHECK(right() == states[static_cast<std::size_t>(i)]);
-    }
-    session.back(StepUnit::step);  // to before the split screen was opened: anew from the left side's bytes
-    CHECK_FALSE(split.follow(session));
-    CHECK(right() == left());
-
-    session.forward(StepUnit::step);
-    CHECK_FALSE(split.follow(session));
-    Settings settings = session.simulation().settings();
-    settings.gravity.z = -1.6;
-    session.want(settings);
-    session.apply(false);
-    CHECK_FALSE(split.follow(session));
-    CHECK(split.simulation().settings().gravity.z == -1.6);
-    CHECK(right() == left());
-}
-
-TEST_CASE("the split screen counts what the grid tests, finds and misses", "[inspection]") {
-    Loop loop(make_session("pile", 600));
-    for (int i = 0; i < 30; ++i) {
-        loop.session.step();
-    }
-    loop.act(ui::Action::toggle_split);
-    loop.frame();
-    loop.session.forward(StepUnit::substep);
-    loop.frame();
-    CHECK(loop.state.grid_side.known);
-    CHECK(loop.state.brute_side.known);
-    CHECK(loop.state.grid_side.missed == 0);
-    CHECK(loop.state.grid_side.contacts > 20);
-    CHECK(loop.state.grid_side.contacts == loop.state.brute_side.contacts);
-    CHECK(loop.state.brute_side.tested == 600u * 599u);
-    CHECK(loop.state.grid_side.tested < loop.state.brute_side.tested / 2);
-    REQUIRE(loop.state.apart);
-    CHECK(*loop.state.apart < 1e-5);
-
-    Settings settings = loop.session.simulation().settings();
-    settings.cell_factor = 0.5;
-    loop.session.want(settings);
-    loop.session.apply(false);
-    loop.frame();
-    loop.session.forward(StepUnit::substep);
-    loop.frame();
-    CHECK(loop.state.grid_side.missed > 0);
-    CHECK(loop.state.grid_side.contacts + loop.state.grid_side.missed == loop.state.brute_side.contacts);
-    view::Overlay overlay;
-    loop.views.add_to(overlay, loop.inspection, loop.session);
-    CHECK(overlay.lines.size() == loop.state.grid_side.missed);
-
-    for (int i = 0; i < 3; ++i) {
-        loop.frame(true);  // running: copies come late, and nothing waits
-    }
-    CHECK(loop.state.brute_side.known);
-    CHECK_FALSE(loop.state.apart);
-    test::HeadlessGui gui;
-    const std::string text = gui.text([&] { ui::split_counts(loop.state.grid_side); });
-    for (const char* part : {"Grid", "pairs tested", "contacts missed"}) {
-        CHECK(contains(text, part));
-    }
-    loop.act(ui::Action::toggle_split);
-    loop.frame();
-    CHECK_FALSE(loop.views.split());
-}
-
-TEST_CASE("brute force is refused in a sentence where it would hang the machine or find nothing", "[inspection]") {
-    CHECK_FALSE(app::brute_force_refusal(5000, true, "cpu"));
-    CHECK(contains(*app::brute_force_refusal(5001, true, "cpu"), "5\u2009000 balls"));
-    CHECK_FALSE(app::brute_force_refusal(20000, true, "gpu"));
-    CHECK(contains(*app::brute_force_refusal(20001, true, "gpu"), "20\u2009000 balls"));
-    CHECK(contains(*app::brute_force_refusal(5, false, "gpu"), "no contacts"));
-
-    Loop loop(make_session("rain", 6000));
-    loop.act(ui::Action::toggle_split);
-    loop.frame();
-    CHECK_FALSE(loop.views.split());
-    CHECK_FALSE(loop.state.options.split);
-    CHECK(contains(loop.views.take_message(), "Brute force would test"));
-}
-
 TEST_CASE("lines, rings and legends say the same", "[inspection]") {
-    Loop loop(make_session("pile", 400));
+    Loop loop(inspected_session("pile", 400));
     for (int i = 0; i < 40; ++i) {
         loop.session.step();
     }
@@ -507,7 +363,7 @@ TEST_CASE("lines, rings and legends say the same", "[inspection]") {
 }
 
 TEST_CASE("closed views want nothing, work out nothing and draw nothing", "[inspection]") {
-    Loop loop(make_session("pile", 400));
+    Loop loop(inspected_session("pile", 400));
     loop.inspection.ball = 3;  // selected, but not followed
     const std::uint64_t revision = loop.session.revision();
     loop.frame();
