@@ -45,8 +45,8 @@ MUTANTS = [
      [("glsl/collide.comp", "(0.5 * params.drift * params.drift) * a", "(params.drift * params.drift) * a")],
      "A1 *"),
     ("positions are read after they are written",
-     [(CPU, "next_positions[id] = Vec4<Real>(x, in.positions[id].w);",
-       "next_positions[id] = Vec4<Real>(x, in.positions[id].w);\n"
+     [(CPU, "next_positions[id] = Vec4<Real>(x, radius);",
+       "next_positions[id] = Vec4<Real>(x, radius);\n"
        "        const_cast<Vec4<Real>&>(in.positions[id]) = next_positions[id];")],
      [("glsl/collide.comp", "writeonly buffer NextPositionsBlock", "buffer NextPositionsBlock"),
       (PAIR, "vec4 position = positions[other];", "vec4 position = next_positions[other];")],
@@ -62,8 +62,8 @@ MUTANTS = [
        "if (id != a.id && !(x > middle.x && y > middle.y && z > middle.z)) {")],
      "A25 forces*"),
     ("cells of the mean radius",
-     [("src/core/world.cpp", "largest = std::max(largest, position.w);",
-       "largest += position.w / static_cast<float>(balls.positions.size());")], [], ""),
+     [("src/core/world.cpp", "largest = std::max(largest, std::abs(position.w));",
+       "largest += std::abs(position.w) / static_cast<float>(balls.positions.size());")], [], ""),
     ("cells half as wide",
      [("src/core/grid.cpp", "2.0 * r_max * cell_factor", "r_max * cell_factor")], [], ""),
     ("the mass of the other ball is one's own",
