@@ -1,6 +1,7 @@
 // The GPU as a backend: the promises of the interface, what drawing needs, and limits.
 #include "gpu/gpu_backend.h"
 
+#include "core/error.h"
 #include "support/backend_contract.h"
 #include "support/catch.h"
 #include "support/gl_fixture.h"
@@ -47,6 +48,26 @@ TEST_CASE_METHOD(GlFixture, "the GPU hashes its state", "[gpu-backend]") {
 }
 
 TEST_CASE_METHOD(GlFixture, "the GPU works in place", "[gpu-backend]") { test::works_in_place(*test::gpu_backend()); }
+
+TEST_CASE_METHOD(GlFixture, "what the GPU has no room for leaves what it holds alone", "[gpu-backend]") {
+    const auto backend = test::gpu_backend();
+    const BallState state = test::placed_balls(test::Placement::uniform, 100);
+    const auto setup = test::setup_for(state, test::contact_features(), SortMethod::bitonic_fused);
+    backend->load(state, setup.schedule, true);
+    Schedule vast = setup.schedule;
+    vast.ball_count = 1u << 30;  // 16 GiB a state: no device allows that much a buffer
+    try {
+        backend->load(state, vast, true);
+        FAIL("16 GiB a buffer were not refused");
+    } catch (const NoRoom& error) {
+        INFO(error.what());
+        CHECK(std::string(error.what()).find("balls fit") != std::string::npos);
+    }
+    CHECK(read_slot<vec4>(*backend, Slot::positions) == state.positions);
+    backend->run(setup.schedule, setup.params, 0, setup.schedule.dispatches.size());
+    backend->swap_states();
+    CHECK(read_slot<vec4>(*backend, Slot::positions).size() == state.count());
+}
 
 TEST_CASE_METHOD(GlFixture, "drawing gets the buffer that holds the state", "[gpu-backend]") {
     const auto backend = test::gpu_backend();

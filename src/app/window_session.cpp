@@ -89,8 +89,8 @@ std::unique_ptr<Backend> Session::twin_backend() const {
     return make_backend(simulation_->backend().name() == "gpu" ? ui::BackendChoice::gpu : ui::BackendChoice::cpu);
 }
 
-// A refused file or value leaves the simulation as it was. A device that failed has lost its balls: then the scene that
-// ran starts anew, with the settings that it ran with.
+// A refused file or value leaves the simulation as it was, and so does a device without room. One that failed has lost
+// its balls: then the scene that ran starts anew, with the settings that it ran with.
 bool Session::attempt(const std::function<void()>& change) {
     const Scene scene = simulation_->scene();
     const Settings settings = simulation_->settings();
@@ -108,6 +108,8 @@ bool Session::attempt(const std::function<void()>& change) {
         done = true;
     } catch (const InputError& error) {
         message_ = error.what();
+    } catch (const NoRoom& error) {
+        message_ = std::string(error.what()) + ". The scene runs on as it was.";
     } catch (const DeviceError& error) {
         restore(error);
     } catch (const gl::Error& error) {

@@ -56,11 +56,11 @@ public:
     virtual std::string device() const = 0;     // renderer or processor
     virtual std::string driver() const = 0;     // version text
 
-    /// How many buffers a dispatch may have (storage_limits.h).
+    /// What the device has room for (storage_limits.h).
     virtual StorageLimits storage_limits() const { return {}; }
 
     /// Makes room for the schedule's slots and loads the state (`limit_force` turns restitutions into damping
-    /// ratios). Throws DeviceError when the device has no room; the balls that were there are then lost.
+    /// ratios). Throws NoRoom when the device has none; the balls that were there are then still there.
     virtual void load(const BallState& state, const Schedule& schedule, bool limit_force) = 0;
 
     /// Makes room for another schedule over the same balls (another grid, another sort).

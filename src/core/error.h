@@ -15,4 +15,9 @@ struct DeviceError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The device has no room for what was asked for, and what ran there before still stands.
+struct NoRoom : DeviceError {
+    using DeviceError::DeviceError;
+};
+
 }  // namespace ballpit

@@ -17,24 +17,49 @@ Simulation::Simulation(Scene scene, const Settings& settings, std::uint64_t seed
     load(std::move(scene), settings, seed);
 }
 
+void Simulation::all_or_nothing(const std::function<void()>& action) {
+    const RunState run = run_;
+    const Schedule schedule = schedule_;
+    const std::uint64_t seed = seed_;
+    try {
+        action();
+    } catch (...) {
+        run_ = run;
+        schedule_ = schedule;
+        reused_schedule_ = with_grid_reused(schedule);
+        ++schedule_changes_;
+        seed_ = seed;
+        throw;
+    }
+}
+
 void Simulation::load(Scene scene, const Settings& settings, std::uint64_t seed) {
     World world = make_world(scene, settings.balls, seed);
     const WallShift walls = scene.resume ? scene.resume->walls : WallShift{};
     expect_storage(scene_schedule(settings, world.box, walls, largest_radius(world.balls), variety_of(world.balls),
                                   settings.balls),
                    backend_->storage_limits());
-    scene_ = std::move(scene);
-    run_.settings = settings;
-    seed_ = seed;
-    load_world(std::move(world));
+    std::swap(scene_, scene);
+    all_or_nothing([&] {
+        try {
+            run_.settings = settings;
+            seed_ = seed;
+            load_world(std::move(world));
+        } catch (...) {
+            std::swap(scene_, scene);
+            throw;
+        }
+    });
 }
 
 // Balls that were thrown in do not come back.
 void Simulation::restart(std::uint64_t seed) {
     World world = make_world(scene_, run_.settings.balls - run_.added, seed);
-    run_.settings.balls -= run_.added;
-    seed_ = seed;
-    load_world(std::move(world));
+    all_or_nothing([&] {
+        run_.settings.balls -= run_.added;
+        seed_ = seed;
+        load_world(std::move(world));
+    });
 }
 
 // A saved moment goes on where it was; any other world starts at 0.
@@ -214,9 +239,12 @@ void Simulation::rebase_clock() {
 }
 
 void Simulation::change(const Settings& wanted) {
-    if (wanted == run_.settings) {
-        return;
+    if (wanted != run_.settings) {
+        all_or_nothing([&] { change_now(wanted); });
     }
+}
+
+void Simulation::change_now(const Settings& wanted) {
     interrupt_meters(wanted);
     const bool other_count = wanted.balls != run_.settings.balls;
     const bool other_program = wanted_features(wanted) != schedule_.features;
@@ -272,9 +300,12 @@ void Simulation::add(const AddBalls& added) {
         throw InputError("no more balls can be added: there would be " + std::to_string(count) + ", at most " +
                          std::to_string(maximum_balls) + " are possible");
     }
-    if (added.balls.empty()) {
-        return;
+    if (!added.balls.empty()) {
+        all_or_nothing([&] { add_now(added); });
     }
+}
+
+void Simulation::add_now(const AddBalls& added) {
     BallState state = synchronised_state();
     state.compensations.resize(state.count());
     for (const BallSpec& spec : added.balls) {
@@ -282,7 +313,7 @@ void Simulation::add(const AddBalls& added) {
     }
     rebase_clock();
     interrupt_meters();
-    run_.settings.balls = static_cast<std::uint32_t>(count);
+    run_.settings.balls += static_cast<std::uint32_t>(added.balls.size());
     run_.added += static_cast<std::uint32_t>(added.balls.size());
     const Status counted = read_slot<Status>(*backend_, Slot::status).front();
     load_state(std::move(state));

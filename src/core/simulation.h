@@ -60,7 +60,7 @@ using Change = std::variant<Settings, AddBalls, Relax>;
 
 class Simulation {
 public:
-    /// Throws InputError (count) or DeviceError (room).
+    /// Throws InputError (count) or NoRoom.
     Simulation(Scene scene, const Settings& settings, std::uint64_t seed, std::unique_ptr<Backend> backend);
 
     /// Runs to the end of the current step: settings.substeps substeps, less those that have run.
@@ -100,9 +100,11 @@ public:
     void restart(std::uint64_t seed);
     /// Another scene on the same backend. On a throw the running scene is untouched, unless the device failed.
     void load(Scene scene, const Settings& settings, std::uint64_t seed);
-    /// New settings while running. Balls that stay keep their motion; more balls come from the fill.
+    /// New settings while running. Balls that stay keep their motion; more balls come from the fill. Throws InputError
+    /// or NoRoom; nothing has changed then.
     void change(const Settings& wanted);
-    /// Throws InputError where there would be more than maximum_balls.
+    /// Throws InputError where there would be more than maximum_balls, NoRoom where the device cannot hold them;
+    /// nothing has changed then.
     void add(const AddBalls& added);
     void relax();
     void apply(const Change& change);
@@ -140,6 +142,10 @@ public:
     const Backend& backend() const { return *backend_; }
 
 private:
+    /// What throws leaves the run as it was.
+    void all_or_nothing(const std::function<void()>& action);
+    void change_now(const Settings& wanted);
+    void add_now(const AddBalls& added);
     void request_reading();
     MeterReading run_round(const Settings& calm, const Schedule& schedule, const Variety& variety);
     void load_world(World world);

@@ -9,6 +9,7 @@
 #include "core/ledger.h"
 #include "gl/debug.h"
 #include "gl/error.h"
+#include "gl/memory.h"
 #include "gpu/barriers.h"
 
 namespace ballpit::gpu {
@@ -18,6 +19,15 @@ namespace {
 // What a checkpoint keeps; everything else follows from it.
 constexpr std::array saved_slots = {Slot::positions, Slot::velocities, Slot::compensations, Slot::damping_ratios,
                                     Slot::status};
+constexpr std::array grid_slots = {Slot::keys, Slot::cell_ranges, Slot::built_positions};
+
+constexpr auto all_slots = [] {
+    std::array<Slot, slot_count> slots{};
+    for (std::size_t i = 0; i < slot_count; ++i) {
+        slots[i] = static_cast<Slot>(i);
+    }
+    return slots;
+}();
 
 struct GpuState final : SavedState {
     using SavedState::SavedState;
@@ -54,23 +64,24 @@ std::string GpuBackend::device() const { return gl_text(GL_RENDERER); }
 
 std::string GpuBackend::driver() const { return gl_text(GL_VERSION); }
 
-void GpuBackend::reserve(Slot slot, std::size_t bytes) {
-    GLint64 limit = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
-    if (bytes > static_cast<std::size_t>(limit)) {
-        throw DeviceError("buffer '" + std::string(slot_name(slot)) + "' would need " + std::to_string(bytes >> 20) +
-                          " MiB, the device allows " + std::to_string(limit >> 20) + " MiB a buffer");
-    }
-    if (bytes == 0) {
-        buffer(slot) = {};  // what a scene does not need is not kept
-    } else if (buffer(slot).size() < bytes) {
-        try {
-            buffer(slot) = gl::Buffer(slot_name(slot), bytes);
-        } catch (const gl::Error& error) {
-            throw DeviceError(error.what());
+void GpuBackend::make_room(std::span<const SlotRoom> rooms) {
+    std::vector<gl::Buffer> grown(rooms.size());
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        if (buffer(rooms[i].slot).size() < rooms[i].bytes) {
+            try {
+                grown[i] = gl::Buffer(slot_name(rooms[i].slot), rooms[i].bytes);
+            } catch (const gl::Error& error) {
+                throw NoRoom(error.what());
+            }
         }
     }
-    used_bytes_[physical(slot)] = bytes;
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        const auto [slot, bytes] = rooms[i];
+        if (bytes == 0 || grown[i].size() != 0) {
+            buffer(slot) = std::move(grown[i]);  // what a scene does not need is not kept
+        }
+        used_bytes_[physical(slot)] = bytes;
+    }
 }
 
 StorageLimits GpuBackend::storage_limits() const {
@@ -80,18 +91,39 @@ StorageLimits GpuBackend::storage_limits() const {
     limits.blocks = static_cast<std::uint32_t>(value);
     glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &value);
     limits.bindings = static_cast<std::uint32_t>(value);
+    GLint64 bytes = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    limits.block_bytes = static_cast<std::size_t>(bytes);
+    limits.free_bytes = gl::free_memory();
+    if (limits.free_bytes) {
+        *limits.free_bytes += allocated_bytes();  // they are given back
+    }
     return limits;
+}
+
+std::vector<GpuBackend::SlotRoom> GpuBackend::rooms_of(const Schedule& schedule, std::span<const Slot> slots) {
+    const auto bytes = bytes_of(schedule);
+    std::vector<SlotRoom> rooms;
+    for (const Slot slot : slots) {
+        rooms.push_back({slot, bytes[static_cast<std::size_t>(slot)]});
+    }
+    return rooms;
+}
+
+// Now, so that no substep waits for it.
+void GpuBackend::compile(const Schedule& schedule) {
+    for (const Dispatch& dispatch : schedule.dispatches) {
+        programs_->get(dispatch.program);
+    }
 }
 
 void GpuBackend::load(const BallState& state, const Schedule& schedule, bool limit_force) {
     expect_storage(schedule, storage_limits());
-    const auto bytes = bytes_of(schedule);
-    for (const Slot slot : {Slot::positions, Slot::velocities, Slot::compensations, Slot::next_positions,
-                            Slot::next_velocities, Slot::status}) {
-        reserve(slot, bytes[static_cast<std::size_t>(slot)]);
-    }
+    compile(schedule);
     const std::vector<float> ratios = damping_ratios_of(state.restitutions, limit_force);
-    reserve(Slot::damping_ratios, ratios.size() * sizeof(float));
+    std::vector<SlotRoom> rooms = rooms_of(schedule, all_slots);
+    rooms[static_cast<std::size_t>(Slot::damping_ratios)].bytes = ratios.size() * sizeof(float);
+    make_room(rooms);
     const Status clean{};
     write(Slot::positions, std::as_bytes(std::span(state.positions)));
     write(Slot::velocities, std::as_bytes(std::span(state.velocities)));
@@ -102,30 +134,29 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     write(Slot::damping_ratios, std::as_bytes(std::span(ratios)));
     // Nothing has been left out so far where the state does not say.
     std::vector<Compensation> compensations = state.compensations;
-    compensations.resize(bytes[static_cast<std::size_t>(Slot::compensations)] / sizeof(Compensation));
+    compensations.resize(used_bytes_[physical(Slot::compensations)] / sizeof(Compensation));
     write(Slot::compensations, std::as_bytes(std::span(compensations)));
     write(Slot::status, std::as_bytes(std::span(&clean, 1)));
-    reschedule(schedule);
+    forget_grid(schedule);
 }
 
 void GpuBackend::reschedule(const Schedule& schedule) {
+    expect_storage(schedule, storage_limits());
+    compile(schedule);
+    make_room(rooms_of(schedule, grid_slots));
+    forget_grid(schedule);
+}
+
+// Whoever looks before the first substep sees no keys and empty cells, not what memory held.
+void GpuBackend::forget_grid(const Schedule& schedule) {
     readbacks_ = {};  // a copy under way is of buffers that no longer hold
-    const auto bytes = bytes_of(schedule);
-    for (const Slot slot : {Slot::keys, Slot::cell_ranges}) {
-        reserve(slot, bytes[static_cast<std::size_t>(slot)]);
-    }
-    // Whoever looks before the first substep sees no keys and empty cells, not what memory held.
     write(Slot::keys, std::as_bytes(std::span<const Key>(std::vector(schedule.key_count, Key{SENTINEL, SENTINEL}))));
     write(Slot::cell_ranges,
           std::as_bytes(std::span<const CellRange>(std::vector(schedule.cell_count, CellRange{0, 0}))));
-    reserve(Slot::built_positions, bytes[static_cast<std::size_t>(Slot::built_positions)]);
     if (schedule.keeps_places) {  // nothing has moved since a grid that was never built
         use(Slot::positions, Use::copy);
         use(Slot::built_positions, Use::copy);
         gl::copy(buffer(Slot::positions), buffer(Slot::built_positions), used_bytes_[physical(Slot::positions)]);
-    }
-    for (const Dispatch& dispatch : schedule.dispatches) {
-        programs_->get(dispatch.program);  // compile now, so that no substep waits for it
     }
 }
 
@@ -201,29 +232,30 @@ std::unique_ptr<SavedState> GpuBackend::save() {
 
 void GpuBackend::restore(const SavedState& state, const Schedule& schedule) {
     const auto& saved = dynamic_cast<const GpuState&>(state);
+    std::vector<SlotRoom> rooms = rooms_of(schedule, all_slots);
+    for (std::size_t i = 0; i < saved_slots.size(); ++i) {
+        if (saved_slots[i] != Slot::compensations) {
+            rooms[static_cast<std::size_t>(saved_slots[i])].bytes = saved.buffers[i].size();
+        }
+    }
+    make_room(rooms);
     const auto fill = [this](Slot slot, const gl::Buffer& bytes) {
-        reserve(slot, bytes.size());
-        if (bytes.size() != 0) {
+        if (bytes.size() != 0 && bytes.size() == used_bytes_[physical(slot)]) {
             use(slot, Use::copy);
             gl::copy(bytes, buffer(slot), bytes.size());
         }
     };
+    write(Slot::compensations, Bytes(used_bytes_[physical(Slot::compensations)]));  // where none were saved
     for (std::size_t i = 0; i < saved_slots.size(); ++i) {
         fill(saved_slots[i], saved.buffers[i]);
     }
-    const std::size_t kept = used_bytes_[physical(Slot::compensations)];
-    const std::size_t wanted = bytes_of(schedule)[static_cast<std::size_t>(Slot::compensations)];
-    if (kept != wanted) {  // another schedule than the one it was saved under
-        reserve(Slot::compensations, wanted);
-        write(Slot::compensations, Bytes(wanted));
+    if (!schedule.in_place) {
+        fill(Slot::next_positions, saved.buffers[0]);  // as load() leaves them
+        fill(Slot::next_velocities, saved.buffers[1]);
     }
-    const gl::Buffer none;
-    fill(Slot::next_positions, schedule.in_place ? none : saved.buffers[0]);  // as load() leaves them
-    fill(Slot::next_velocities, schedule.in_place ? none : saved.buffers[1]);
-    reschedule(schedule);
-    if (used_bytes_[physical(Slot::built_positions)] == saved.built_positions.size()) {  // the same schedule
-        fill(Slot::built_positions, saved.built_positions);
-    }
+    compile(schedule);
+    forget_grid(schedule);
+    fill(Slot::built_positions, saved.built_positions);
 }
 
 void GpuBackend::request_hash(std::uint64_t tag) {

@@ -28,6 +28,7 @@ public:
     std::string device() const override;
     std::string driver() const override;
 
+    /// Memory that this backend's own buffers take counts as free.
     StorageLimits storage_limits() const override;
     void load(const BallState& state, const Schedule& schedule, bool limit_force) override;
     void reschedule(const Schedule& schedule) override;
@@ -65,7 +66,15 @@ private:
     // A slot names a role, a physical buffer plays it: collide's output becomes the input by a change of roles.
     std::size_t physical(Slot slot) const { return hazards_.physical(slot); }
     gl::Buffer& buffer(Slot slot) { return buffers_[physical(slot)]; }
-    void reserve(Slot slot, std::size_t bytes);
+    struct SlotRoom {
+        Slot slot;
+        std::size_t bytes;
+    };
+    static std::vector<SlotRoom> rooms_of(const Schedule& schedule, std::span<const Slot> slots);
+    /// All of them, or NoRoom and nothing has changed.
+    void make_room(std::span<const SlotRoom> rooms);
+    void compile(const Schedule& schedule);
+    void forget_grid(const Schedule& schedule);
     void barrier(Uses uses);
     void use(Slot slot, Use use);
     void run_dispatch(const Dispatch& dispatch, const ShaderParams& params);
