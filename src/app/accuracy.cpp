@@ -1,4 +1,5 @@
 // `ballpit accuracy`: what each choice costs and how exact it is; Ctrl+C keeps what is there.
+#include <cmath>
 #include <csignal>
 #include <iomanip>
 #include <iostream>
@@ -44,6 +45,10 @@ measure::SweepLists lists_of(const Options& options) {
         Settings settings;
         assign_setting(settings, "integrator", name);
         lists.integrators.push_back(settings.integrator);
+    }
+    if (!std::isfinite(options.limit) || !std::isfinite(options.seconds.value_or(1.0)) ||
+        options.seconds.value_or(1.0) <= 0.0) {
+        throw InputError("--seconds and --limit: expected numbers of seconds above 0");
     }
     constexpr double most_substeps = 1 << 20;
     for (const std::uint32_t n : options.substeps) {
@@ -118,8 +123,7 @@ void run_sweep(Sweep& sweep, bool quiet) {
     bool more = !sweep.done();
     while (more && interrupted == 0) {
         more = sweep.advance(slice_ms);
-        const std::size_t complete = sweep.rows().size() - (sweep.done() || sweep.rows().empty() ? 0 : 1);
-        for (; printed < complete && !quiet; ++printed) {
+        for (; printed < sweep.rows().size() && !quiet; ++printed) {
             progress.clear();
             if (!std::exchange(headed, true)) {
                 print_header(sweep, std::cout);
@@ -167,6 +171,12 @@ int run_accuracy(const Options& options) {
                 backends);
     std::signal(SIGINT, interrupt);
     run_sweep(sweep, quiet);
+    if (interrupted != 0) {
+        std::cerr << "ballpit: stopped; " << sweep.rows().size() << " of " << sweep.question().points.size()
+                  << " choices were measured\n";
+    } else if (sweep.rows().empty()) {
+        std::cerr << "ballpit: " << sweep.reference().note << "\n";
+    }
     std::vector<measure::CollisionRung> collisions;
     if (interrupted == 0) {
         collisions = measure::collision_ladder({setup.settings, sweep.probe_scene()}, backends.device);

@@ -38,7 +38,7 @@ Json report_json(const measure::CheckReport& report, const Simulation& simulatio
     return json;
 }
 
-void print(const measure::CheckReport& report, const Simulation& simulation) {
+void print(const measure::CheckReport& report, Simulation& simulation) {
     std::cout << simulation.scene().name << ": " << simulation.schedule().ball_count << " balls, " << report.steps
               << " steps, " << report.dispatches << " dispatches on " << simulation.backend().device()
               << " against the mirror\n"
@@ -59,6 +59,11 @@ void print(const measure::CheckReport& report, const Simulation& simulation) {
     }
     for (const std::string& violation : report.violations) {
         std::cout << "invariant broken: " << violation << "\n";
+    }
+    if (const std::uint32_t missed = read_slot<Status>(simulation.backend(), Slot::status).front().missed; missed > 0) {
+        std::cout << "missed contacts: " << missed << ", with one grid for " << simulation.settings().grid_reuse
+                  << " substeps; what one ball of a pair misses breaks the balance of momentum. A larger cell_factor "
+                     "helps.\n";
     }
     std::cout << (report.passed() ? "passed\n" : "FAILED\n");
 }

@@ -105,7 +105,7 @@ Json make_report(Simulation& simulation, const BallState& state, double wall_ms,
     report["totals"] =
         totals_json(measure::totals_of(state, simulation.settings(), simulation.features(), simulation.box()));
     const Status status = read_slot<Status>(simulation.backend(), Slot::status).front();
-    report["status"] = status_json(status);
+    report["status"] = status_json(status, simulation);
     if (simulation.schedule().keeps_places) {
         report["grid"] = grid_json(simulation, status);
     }
@@ -127,6 +127,9 @@ void print_summary(const Json& report) {
         if (const auto number = report["extremes"][std::string(info.key)].get<double>(); number != 0.0) {
             std::cout << extreme_text(info, number) << "\n";
         }
+    }
+    if (report["status"]["missed"].is_null()) {
+        std::cout << "Contacts may be missed, and without the law diagnostics nobody counts them.\n";
     }
 }
 

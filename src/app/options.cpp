@@ -144,8 +144,7 @@ CLI::App* add_accuracy(CLI::App& app, Options& options) {
                      "Substeps that use one grid, such as 1,8; cells are made wide enough for each")
         ->delimiter(',')
         ->check(whole_number);
-    accuracy->add_option("--seconds", options.seconds, "Simulated seconds of each run (default 1)")
-        ->check(CLI::PositiveNumber);
+    accuracy->add_option("--seconds", options.seconds, "Simulated seconds of each run (default 1)");
     accuracy->add_option("--limit", options.limit, "Seconds that one run may take")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();

@@ -20,11 +20,13 @@ Json settings_json(const Simulation& simulation) {
     return json;
 }
 
-Json status_json(const Status& status) {
+Json status_json(const Status& status, const Simulation& simulation) {
+    const Schedule& schedule = simulation.schedule();
+    const bool unknown = schedule.key_count > 0 && simulation.settings().grid_reuse > 1 && !schedule.keeps_places;
     return {{"not_finite", status.not_finite},
             {"out_of_bounds", status.out_of_bounds},
             {"over_capacity", status.over_capacity},
-            {"missed", status.missed}};
+            {"missed", unknown ? Json() : Json(status.missed)}};
 }
 
 Json extremes_json(const ExtremeNumbers& numbers) {

@@ -19,7 +19,8 @@ Json device_json(const Backend& backend);
 /// Every setting that applies, as `--set` would take it.
 Json settings_json(const Simulation& simulation);
 /// One key a status bit, with the count.
-Json status_json(const Status& status);
+/// `missed` is null where contacts may be missed and nobody counts them.
+Json status_json(const Status& status, const Simulation& simulation);
 /// One number for each of core/extremes.h under its key, counts as whole numbers; 0 where there is nothing to say.
 Json extremes_json(const ExtremeNumbers& numbers);
 /// 16 hexadecimal digits.

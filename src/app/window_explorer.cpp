@@ -94,9 +94,7 @@ const ui::ExplorerState* WindowExplorer::describe(const Session& session, bool o
     if (!sweep_) {
         return &state_;
     }
-    const auto& rows = sweep_->rows();
-    const std::size_t in_work = sweep_->done() || rows.empty() ? 0 : 1;
-    state_.rows = std::span(rows).first(rows.size() - in_work);
+    state_.rows = sweep_->rows();
     state_.wanted = sweep_->question().points.size();
     state_.stale = measured_ != to_measure(session);
     state_.progress = sweep_->progress();

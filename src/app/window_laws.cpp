@@ -98,6 +98,9 @@ void WindowLaws::tell_of_programs(const Session& session) {
     }
     layout_ = session.layout_changes();
     for (const Dispatch& dispatch : session.simulation().schedule().dispatches) {
+        if (dispatch.stage != Stage::collide) {
+            continue;  // only there do laws make programs
+        }
         const auto* compiled = on_demand(session.programs(), dispatch.program);
         if (told_.insert(dispatch.program).second && compiled != nullptr && !moved_by_hand(dispatch.program)) {
             message_ = sentence(*compiled);

@@ -350,6 +350,9 @@ void Session::describe(ui::SteppingState& state) const {
                          ? timeline.substeps_of(state.place.substep.step)
                          : std::max(simulation_->settings().substeps, state.place.substep.substep + 1);
     state.schedule = behind_ ? &stepper_->schedule_behind() : &stepper_->schedule();
+    state.grid_reuse = simulation_->settings().grid_reuse;
+    state.building = static_cast<std::uint32_t>(stepper_->schedule_of(true).dispatches.size());
+    state.using_again = static_cast<std::uint32_t>(stepper_->schedule_of(false).dispatches.size());
     state.first_step = timeline.start().step;
     state.furthest_step = furthest_step_;
     state.hash_step = now.moment.step;

@@ -45,6 +45,8 @@ public:
     Position position() const { return {moment(), dispatch_}; }
     /// The substep as it is stepped through: sorted pass by pass, whatever the sort is that runs.
     const Schedule& schedule() { return schedule_of(simulation_.builds_grid()); }
+    /// The same of any substep that builds its grid, or does not.
+    const Schedule& schedule_of(bool builds_grid);
     /// The same of the substep that ended here, where one has since the timeline began or was gone along.
     const Schedule& schedule_behind() { return schedule_of(behind_built_grid_); }
 
@@ -73,7 +75,6 @@ public:
 private:
     Moment moment() const { return {simulation_.step_count(), simulation_.substep_in_step()}; }
     std::uint32_t dispatches() { return static_cast<std::uint32_t>(schedule().dispatches.size()); }
-    const Schedule& schedule_of(bool builds_grid);
     void run_dispatches(std::uint32_t last);
     void finish_substep();
     void arrive(std::uint64_t step_before, std::uint32_t substep_before);
@@ -89,8 +90,8 @@ private:
     Timeline timeline_;
     std::uint32_t dispatch_ = 0;
     Runner runner_;
-    std::optional<Schedule> schedule_;   // made when it is asked for
-    Schedule reused_schedule_;           // the same where the grid is used again
+    std::optional<Schedule> schedule_;  // made when it is asked for
+    Schedule reused_schedule_;          // the same where the grid is used again
     bool behind_built_grid_ = true;
     std::uint64_t schedule_change_ = 0;  // of the simulation, for which it was made
     std::uint64_t epoch_ = 0;            // tells hashes of a timeline that was left from those of this one

@@ -29,7 +29,8 @@ struct ProbeScene {
 /// the largest is sqrt(v^2 + 2 g h) of the ball for which it is largest, h its height above the wall that it falls
 /// towards; the typical one is the root of the mean of v^2 + g h. Without losses collisions spread speeds as Maxwell
 /// has it, and the largest is at least sqrt(2/3 ln N) typical ones. Drag limits both to what falling can reach, walls
-/// that move add their speed. Where nothing moves or falls, a speed is assumed that presses two of the smallest balls
+/// that move add their speed. Overlaps of more than a tenth of a diameter fly apart: half of what each of their springs
+/// holds goes to either ball. Where nothing moves or falls, a speed is assumed that presses two of the smallest balls
 /// into each other by a hundredth of their diameter.
 ///
 /// Rates are those of a gas of hard spheres with this typical speed, in the smallest upright box that holds the balls

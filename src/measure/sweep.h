@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -82,7 +83,10 @@ public:
     /// s of the wall clock; nothing until something was measured.
     std::optional<double> seconds_left() const;
 
-    const std::vector<SweepRow>& rows() const { return rows_; }
+    /// Those that are done; the last one that was begun may be cut short at any moment.
+    std::span<const SweepRow> rows() const {
+        return std::span(rows_).first(rows_.size() - (done() || rows_.empty() ? 0 : 1));
+    }
     const Reference& reference() const { return reference_; }
     /// m: what a position of the scene's size can differ by, unseen.
     double float_floor() const { return float_floor_; }

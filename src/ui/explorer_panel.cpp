@@ -63,8 +63,8 @@ void controls(const ExplorerState& explorer, Commands& commands) {
         }
         ImGui::SameLine();
         wrapped_dim_text(explorer.wanted == 0
-                             ? "Runs copies of the scene from its start with other substeps and integrators, and with "
-                               "compensated sums."
+                             ? "Runs copies of the scene from its start with other substeps and integrators, with "
+                               "compensated sums, and with one grid for several substeps."
                              : outcome(explorer));
     }
 }
@@ -134,6 +134,9 @@ LogPlot::Axes trade_axes(const ExplorerState& explorer) {
     }
     if (explorer.budget) {
         errors.push_back(*explorer.budget);
+    }
+    if (explorer.metric == SweepMetric::position && explorer.float_floor > 0.0) {
+        errors.push_back(explorer.float_floor);
     }
     return {decades_of(costs), decades_of(errors), false, "ms for a simulated second", metric_label(explorer.metric)};
 }

@@ -1,4 +1,5 @@
-// Every setting that does anything in this scene: first what is modelled and how exactly, then what it is computed with.
+// Every setting that does anything in this scene: first what is modelled and how exactly, then what it is computed
+// with.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -81,7 +82,8 @@ void reuse_row(const State& state, Commands& commands) {
     }
     const double way = drift(state.status);
     const double advised = cell_factor_for(way, state.largest_radius);
-    wrapped_dim_text("Balls went up to " + length_text(way) + " while a grid was used; its cells allow " +
+    wrapped_dim_text("Since the start balls went up to " + length_text(way) +
+                     " while a grid was used; its cells allow " +
                      length_text(state.cell_width - 2.0 * state.largest_radius) + ".");
     if (way > 0.0 && advised != state.settings.cell_factor &&
         ImGui::Button(("Cell factor " + shortest_text(advised)).c_str())) {

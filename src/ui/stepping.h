@@ -26,6 +26,9 @@ struct SteppingState {
     Place place;
     std::uint32_t substeps = 1;          // of the step shown
     const Schedule* schedule = nullptr;  // of the substep shown, pass by pass; never null
+    std::uint32_t grid_reuse = 1;        // substeps that use one grid
+    std::uint32_t building = 0;          // dispatches of a substep that builds its grid
+    std::uint32_t using_again = 0;       // of one that uses an earlier one's
     StepUnit unit = StepUnit::step;
     std::uint64_t first_step = 0;     // steps done at the start of what is remembered
     std::uint64_t furthest_step = 0;  // the most steps that were ever done since

@@ -118,6 +118,12 @@ void budget_choice(const Strip& strip) {
     ImGui::EndCombo();
 }
 
+// Of a step, before this substep begins: not every one builds a grid.
+std::uint32_t dispatches_before(const SteppingState& stepping, std::uint32_t substep) {
+    const std::uint32_t builds = (substep + stepping.grid_reuse - 1) / stepping.grid_reuse;
+    return builds * stepping.building + (substep - builds) * stepping.using_again;
+}
+
 }  // namespace
 
 void strip_header(const Strip& strip) {
@@ -130,15 +136,18 @@ void strip_header(const Strip& strip) {
 void strip_sliders(const Strip& strip) {
     const SteppingState& stepping = strip.stepping;
     const float half = 0.5f * (strip.width - ImGui::GetStyle().ItemSpacing.x);
-    const auto per_substep = static_cast<int>(strip.dispatches());
-    int place = static_cast<int>(stepping.place.substep.substep) * per_substep + static_cast<int>(stepping.place.ran);
-    const int most = static_cast<int>(std::max(stepping.substeps, stepping.place.substep.substep + 1)) * per_substep;
+    const std::uint32_t shown = stepping.place.substep.substep;
+    auto place = static_cast<int>(dispatches_before(stepping, shown) + stepping.place.ran);
+    const auto most = static_cast<int>(dispatches_before(stepping, std::max(stepping.substeps, shown + 1)));
     ImGui::SetNextItemWidth(half);
     const std::string within = format("%%d of %d dispatches of the step", most);
-    if (per_substep > 0 && ImGui::SliderInt("##within", &place, 0, most, within.c_str())) {
-        place = std::clamp(place, 0, most);
-        const int substep = std::min(place / per_substep, most / per_substep - 1);
-        strip.go_to(static_cast<std::uint32_t>(substep), static_cast<std::uint32_t>(place - substep * per_substep));
+    if (most > 0 && ImGui::SliderInt("##within", &place, 0, most, within.c_str())) {
+        const auto wanted = static_cast<std::uint32_t>(std::clamp(place, 0, most));
+        std::uint32_t substep = 0;
+        while (dispatches_before(stepping, substep + 1) <= wanted && substep + 1 < stepping.substeps) {
+            ++substep;
+        }
+        strip.go_to(substep, wanted - dispatches_before(stepping, substep));
     }
     ImGui::SameLine();
     ImGui::SetNextItemWidth(half);
