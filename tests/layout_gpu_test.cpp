@@ -57,9 +57,9 @@ private:
 }  // namespace
 
 TEST_CASE_METHOD(LayoutTest, "the uniform block of every shader has its binding", "[gpu-layout]") {
-    for (const Shader shader : {Shader::assign_cells, Shader::bitonic_sort, Shader::bitonic_sort_fused,
-                                Shader::clear_cells, Shader::build_grid, Shader::count_missed, Shader::keep_places,
-                                Shader::collide}) {
+    for (const Shader shader :
+         {Shader::assign_cells, Shader::bitonic_sort, Shader::bitonic_sort_fused, Shader::clear_cells,
+          Shader::build_grid, Shader::count_missed, Shader::keep_places, Shader::collide}) {
         CAPTURE(shader_name(shader));
         CHECK(property(id_of(shader), GL_UNIFORM_BLOCK, "ParamsBlock", GL_BUFFER_BINDING) == BLOCK_PARAMS);
     }
@@ -112,9 +112,9 @@ TEST_CASE_METHOD(LayoutTest, "every block has its slot's binding", "[gpu-layout]
 }
 
 TEST_CASE_METHOD(LayoutTest, "work groups have the sizes that the schedule counts with", "[gpu-layout]") {
-    for (const Shader shader : {Shader::assign_cells, Shader::bitonic_sort, Shader::bitonic_sort_fused,
-                                Shader::clear_cells, Shader::build_grid, Shader::count_missed, Shader::keep_places,
-                                Shader::collide}) {
+    for (const Shader shader :
+         {Shader::assign_cells, Shader::bitonic_sort, Shader::bitonic_sort_fused, Shader::clear_cells,
+          Shader::build_grid, Shader::count_missed, Shader::keep_places, Shader::collide}) {
         std::array<GLint, 3> size{};
         glGetProgramiv(id_of(shader), GL_COMPUTE_WORK_GROUP_SIZE, size.data());
         CAPTURE(shader_name(shader));

@@ -240,6 +240,18 @@ TEST_CASE("compare_slot finds keys exchanged, a range off by one, a status bit a
     CHECK(contains(missing.first, "GPU has 127 elements, CPU 128"));
 }
 
+TEST_CASE("what is no number on both sides does not differ, on one side it does", "[sabotage]") {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<vec4> ours{{nan, 1.0f, 2.0f, 3.0f}};
+    const std::vector<vec4> same{{-nan, 1.0f, 2.0f, 3.0f}};
+    const std::vector<vec4> other{{0.0f, 1.0f, 2.0f, 3.0f}};
+    CHECK(compare(Slot::positions, ours, same).beyond_bound == 0);
+    CHECK(compare(Slot::positions, ours, other).beyond_bound == 1);
+    CHECK(compare(Slot::positions, other, ours).beyond_bound == 1);
+    CHECK(measure::ulp_distance(nan, -nan) == 0);
+    CHECK(measure::ulp_distance(nan, 1.0f) == UINT64_MAX);
+}
+
 TEST_CASE("ulp_distance counts floats", "[sabotage]") {
     CHECK(measure::ulp_distance(1.0f, 1.0f) == 0);
     CHECK(measure::ulp_distance(1.0f, std::nextafter(1.0f, 2.0f)) == 1);

@@ -89,8 +89,8 @@ TEST_CASE("all buffers together must fit into the memory that is free", "[storag
 TEST_CASE("a device without room leaves the running scene as it was", "[storage]") {
     const bool found_out = GENERATE(false, true);
     INFO((found_out ? "the device finds it out" : "the device tells it"));
-    auto device = found_out ? std::make_unique<SmallDevice>(any_size, 1000)
-                            : std::make_unique<SmallDevice>(300000, any_count);
+    auto device =
+        found_out ? std::make_unique<SmallDevice>(any_size, 1000) : std::make_unique<SmallDevice>(300000, any_count);
     Simulation simulation = simulation_on(std::move(device));
     Simulation untouched = simulation_on(std::make_unique<cpu::CpuBackend<float>>());
     Settings more = simulation.settings();

@@ -52,7 +52,7 @@ enum class Slot : std::uint8_t {
 };
 inline constexpr std::size_t slot_count = SLOT_COUNT;
 inline constexpr std::array<std::string_view, slot_count> slot_names = {
-    "positions", "velocities",     "damping_ratios",  "keys",         "cell_ranges",
+    "positions", "velocities",     "damping_ratios",  "keys",          "cell_ranges",
     "status",    "next_positions", "next_velocities", "compensations", "built_positions"};
 constexpr std::string_view slot_name(Slot slot) { return slot_names[static_cast<std::size_t>(slot)]; }
 
@@ -89,7 +89,7 @@ struct Schedule {
     std::uint32_t ball_count = 0;
     std::uint32_t key_count = 0;  // 0 where no grid is needed
     std::uint32_t cell_count = 0;
-    bool in_place = false;  // no ball looks at another: one state buffer will do, nothing is written to next_*
+    bool in_place = false;      // no ball looks at another: one state buffer will do, nothing is written to next_*
     bool keeps_places = false;  // where balls were when the grid was built is kept, to tell what a used grid misses
 };
 
@@ -98,8 +98,8 @@ Groups groups_for(std::uint32_t invocations, std::uint32_t group_size);
 
 /// The dispatches of a substep. No balls: an empty list. No contact law, or brute force: a single `collide`, no grid.
 /// Without the contact law it works in place.
-/// `grid_reuse`: how many substeps use one grid; from two on a build also counts what the grid before did not show, with
-/// diagnostics.
+/// `grid_reuse`: how many substeps use one grid; from two on a build also counts what the grid before did not show,
+/// with diagnostics.
 Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort,
                        std::uint32_t grid_reuse = 1);
 

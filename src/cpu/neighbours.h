@@ -1,5 +1,5 @@
-// The other balls that a ball meets: those in the 27 cells around it, in the order of cells and slots, or all of them in
-// the order of their ids. One order, so that sums do not depend on who runs when.
+// The other balls that a ball meets: those in the 27 cells around it, in the order of cells and slots, or all of them
+// in the order of their ids. One order, so that sums do not depend on who runs when.
 #pragma once
 
 #include "core/features.h"
@@ -7,8 +7,8 @@
 
 namespace ballpit::cpu {
 
-/// Calls meet(id) for each ball in the cells around `position` (m), ball `self` left out. keys: sorted; cell_ranges: one
-/// a cell of the grid in `params`.
+/// Calls meet(id) for each ball in the cells around `position` (m), ball `self` left out. keys: sorted; cell_ranges:
+/// one a cell of the grid in `params`.
 template <class Real, class Meet>
 void for_each_in_cells_around(const SubstepParams<Real>& params, std::span<const Key> keys,
                               std::span<const CellRange> cell_ranges, const Vec3<Real>& position, std::uint32_t self,

@@ -22,15 +22,20 @@ std::string whole_element_text(Slot slot, std::span<const std::byte> bytes, std:
     return text + ")";
 }
 
-// Largest distance of the floats of an element; infinite where one of them is no number.
+bool both_nan(float a, float b) { return std::isnan(a) && std::isnan(b); }
+
+// Largest distance of the floats of an element; infinite where only one of them is no number. Of two that are none the
+// bits say nothing: OpenGL promises none.
 double distance(const std::uint32_t* a, const std::uint32_t* b, std::size_t words) {
     double largest = 0.0;
     for (std::size_t i = 0; i < words; ++i) {
         if (a[i] == b[i]) {
             continue;
         }
+        const float ours = std::bit_cast<float>(a[i]);
+        const float theirs = std::bit_cast<float>(b[i]);
         const double d =
-            std::abs(static_cast<double>(std::bit_cast<float>(a[i])) - static_cast<double>(std::bit_cast<float>(b[i])));
+            both_nan(ours, theirs) ? 0.0 : std::abs(static_cast<double>(ours) - static_cast<double>(theirs));
         largest = std::isnan(d) ? INFINITY : std::max(largest, d);
     }
     return largest;
@@ -41,7 +46,7 @@ double distance(const std::uint32_t* a, const std::uint32_t* b, std::size_t word
 std::uint64_t ulp_distance(float a, float b) {
     const auto bits_a = std::bit_cast<std::uint32_t>(a);
     const auto bits_b = std::bit_cast<std::uint32_t>(b);
-    if (bits_a == bits_b) {
+    if (bits_a == bits_b || both_nan(a, b)) {
         return 0;
     }
     if (std::isnan(a) || std::isnan(b)) {
@@ -83,8 +88,8 @@ Comparison compare_slot(Slot slot, std::span<const std::byte> gpu, std::span<con
         bool beyond = true;
         if (floats) {
             const double error = distance(in_a, in_b, words);
-            beyond = !(i < bounds.size() && error <= bounds[i]);
-            result.of_bound = beyond ? result.of_bound : std::max(result.of_bound, error / bounds[i]);
+            beyond = error != 0.0 && !(i < bounds.size() && error <= bounds[i]);
+            result.of_bound = beyond || error == 0.0 ? result.of_bound : std::max(result.of_bound, error / bounds[i]);
             result.max_error = std::max(result.max_error, error);
             for (std::size_t w = 0; w < words; ++w) {
                 result.max_ulp = std::max(result.max_ulp,
