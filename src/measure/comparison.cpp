@@ -32,8 +32,8 @@ double distance(const std::uint32_t* a, const std::uint32_t* b, std::size_t word
         if (a[i] == b[i]) {
             continue;
         }
-        const float ours = std::bit_cast<float>(a[i]);
-        const float theirs = std::bit_cast<float>(b[i]);
+        const auto ours = std::bit_cast<float>(a[i]);
+        const auto theirs = std::bit_cast<float>(b[i]);
         const double d =
             both_nan(ours, theirs) ? 0.0 : std::abs(static_cast<double>(ours) - static_cast<double>(theirs));
         largest = std::isnan(d) ? INFINITY : std::max(largest, d);
