@@ -8,7 +8,7 @@ source "$(dirname "$0")/support/window.sh"
 start_display
 
 step "starts paused, and shows something"
-start_app --scene rain --set balls=300 --set substeps=2 --backend gpu
+start_app --scene rain --set balls=300 --set substeps=5 --backend gpu   # fewer are warned of, above the timings
 wait_for "the title" titled "Rain - 300 balls - Ball Pit"
 wait_for "a picture that is not blank" colourful $middle 500
 wait_for "panels that are not blank" colourful $side 50

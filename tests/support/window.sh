@@ -120,7 +120,7 @@ side=340x640+920+20       # the side panel
 clock=250x16+14+70        # "t = ... step ... seed ..."
 below=400x150+20+120      # under the frame rate: messages, timings
 corner=380x160+20+540     # bottom left: occupancy
-tick=20x20+925+570        # the check box of the occupancy panel
+tick=20x20+915+526        # the check box of the occupancy panel
 
 shot() { import -window "$window" "$work/shot.png"; }
 region() { shot; convert "$work/shot.png" -crop "$1" +repage rgb:- | cksum; }
