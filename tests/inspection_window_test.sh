@@ -15,7 +15,7 @@ grid_counts=280x100+86+602  # under the left one of two pictures
 start_display
 
 cd "$work"   # exports land here
-start_app --scene pile --set balls=1500 --set substeps=2 --backend gpu
+start_app --scene pile --set balls=1500 --set substeps=3 --backend gpu   # fewer are warned of
 point 640 4
 wait_for "a picture that is not blank" colourful $pile 200
 wait_for "a still picture" is_still $field
@@ -74,9 +74,12 @@ press c $left "the table to close"
 
 step "every buffer is a table"
 press u $table "the table"
-for slot in velocities damping_ratios keys cell_ranges status next_positions next_velocities compensations positions; do
+for slot in velocities damping_ratios keys cell_ranges status next_positions next_velocities compensations; do
     press shift+u $table "the table of $slot"
 done
+key shift+u   # built_positions are as empty as compensations
+sleep 1
+press shift+u $table "the table of positions"
 
 step "a buffer is exported"
 point 695 52
