@@ -126,6 +126,7 @@ void steps_back_and_forth(const MakeBackend& make) {
 void looking_changes_nothing(const MakeBackend& make) {
     Simulation looked_at = gas(make(), 4, 1.0, 20.0);
     Simulation left_alone = gas(make(), 4, 1.0, 20.0);
+    looked_at.set_metering(true);
     for (int i = 0; i < 40; ++i) {
         looked_at.synchronised_state();
         looked_at.meter();
