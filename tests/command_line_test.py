@@ -372,11 +372,34 @@ class CommandLine(unittest.TestCase):
         self.refused(run("bench", "--budget", "fast", "--substeps", "4"), 2, "--budget", "--substeps")
 
     def test_bench(self):
-        result = run("bench", "--backend", "cpu", "--scene", "two_balls", "--json", "-")
+        csv_file = self.folder / "b.csv"
+        result = run("bench", "--backend", "cpu", "--balls", "300,600", "--state", "start,settled", "--sort",
+                     "bitonic,bitonic_fused", "--steps", "2", "--dispatches", "--json", "-", "--csv", str(csv_file))
         self.assertEqual(result.returncode, 0, result.stderr)
         report = json.loads(result.stdout)
-        self.assertTrue(report["rows"])
-        self.assertEqual(set(report["rows"][0]["stages"]), {"assign_cells", "bitonic_sort", "build_grid", "collide"})
+        for key in ("device", "driver", "command", "date"):
+            self.assertTrue(report[key])
+        self.assertTrue(report["possible"] and report["sorts_agree"])
+        self.assertGreater(report["limits"]["copies"][0]["gb_s"], 0)
+        self.assertEqual(len(report["rows"]), 8)
+        for row in report["rows"]:
+            self.assertEqual(row["scene"], "Bench pile")
+            self.assertEqual(set(row["stages"]), {"assign_cells", "bitonic_sort", "build_grid", "collide"})
+            self.assertEqual("settling" in row, row["state"] == "settled")
+            self.assertEqual(row["dispatches"][0]["name"], "assign_cells")
+        falling, resting = report["rows"][0], report["rows"][2]
+        self.assertEqual(falling["contacts_per_ball"], 0)
+        self.assertTrue(resting["settling"]["at_rest"])
+        self.assertGreater(resting["contacts_per_ball"], 3)
+        self.assertEqual(resting["hash"], report["rows"][3]["hash"])
+        self.assertEqual(len(csv_file.read_text().splitlines()), 9)
+
+    def test_bench_refuses(self):
+        for arguments, words in ((["--steps", "0"], ["--steps"]), (["--state", "asleep"], ["settled"]),
+                                 (["--sort", "bubble"], ["bitonic_fused"]), (["--balls", "9999999"], ["balls"]),
+                                 (["--set", "dt=0"], ["dt"]), (["--limit", "0"], ["--limit"]),
+                                 (["--scene", "two_balls", "--state", "settled"], ["gravity"])):
+            self.refused(run("bench", "--backend", "cpu", *arguments), 2, *words)
 
     def test_accuracy(self):
         csv_file = self.folder / "a.csv"

@@ -21,14 +21,23 @@ struct Golden {
 };
 
 constexpr std::array goldens = {
-    Golden{"cannonball", 8, 0x710FF2FD78D50F3A},    Golden{"column_of_ten", 60, 0xBC0966DA0060A252},
-    Golden{"cooling_gas", 15, 0x09D48AE90F584FA3},  Golden{"elastic_gas", 40, 0x89F10239016937C1},
-    Golden{"free_fall", 3, 0x2531E98812948A8A},     Golden{"historical", 15, 0x560B2E8465303CE0},
-    Golden{"hot_corner", 15, 0x54CB4D9DA40DD04C},   Golden{"kicked_chain", 60, 0x68EF14D55FCB59F5},
-    Golden{"mixed_sizes", 20, 0xEB3ABE13CED03494},  Golden{"newtons_cradle", 120, 0x19760AB97886E5C6},
-    Golden{"oblique_pair", 60, 0x353AA43C41E05224}, Golden{"one_cell", 30, 0x4DDE23FAF41C6CF3},
-    Golden{"pile", 60, 0x5C83C2DD72F401F7},         Golden{"projectile_with_drag", 150, 0x15147E94D0A1CC85},
-    Golden{"rain", 70, 0xA2736C9F808249E7},         Golden{"two_balls", 60, 0x5A95D07841BF754C},
+    Golden{"bench_pile", 120, 0x17CC762FE624E70B},
+    Golden{"cannonball", 8, 0x710FF2FD78D50F3A},
+    Golden{"column_of_ten", 60, 0xBC0966DA0060A252},
+    Golden{"cooling_gas", 15, 0x09D48AE90F584FA3},
+    Golden{"elastic_gas", 40, 0x89F10239016937C1},
+    Golden{"free_fall", 3, 0x2531E98812948A8A},
+    Golden{"historical", 15, 0x560B2E8465303CE0},
+    Golden{"hot_corner", 15, 0x54CB4D9DA40DD04C},
+    Golden{"kicked_chain", 60, 0x68EF14D55FCB59F5},
+    Golden{"mixed_sizes", 20, 0xEB3ABE13CED03494},
+    Golden{"newtons_cradle", 120, 0x19760AB97886E5C6},
+    Golden{"oblique_pair", 60, 0x353AA43C41E05224},
+    Golden{"one_cell", 30, 0x4DDE23FAF41C6CF3},
+    Golden{"pile", 60, 0x5C83C2DD72F401F7},
+    Golden{"projectile_with_drag", 150, 0x15147E94D0A1CC85},
+    Golden{"rain", 70, 0xA2736C9F808249E7},
+    Golden{"two_balls", 60, 0x5A95D07841BF754C},
     Golden{"unequal_pair", 60, 0xF89943C1EF3C730A},
 };
 

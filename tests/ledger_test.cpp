@@ -192,3 +192,20 @@ TEST_CASE("the mirror reads of other balls only what counts", "[ledger]") {
     cpu::CpuBackend<float> mirror;
     test::reads_only_what_counts(mirror);
 }
+
+TEST_CASE("the least bytes of a dispatch are those of the slots that it reads and writes as a whole", "[ledger]") {
+    Scene scene = test::mono_pile_scene(1024);
+    const Schedule schedule = schedule_of(scene);
+    const std::size_t state = 1024 * sizeof(vec4);
+    const std::size_t keys = 1024 * sizeof(Key);
+    CHECK(least_bytes(schedule, Stage::assign_cells) == state + keys);
+    CHECK(least_bytes(schedule, Stage::bitonic_sort) == 2 * keys);  // one tile: read once, written once
+    // The table is cleared as a whole; which of its cells are written is the state's affair.
+    CHECK(least_bytes(schedule, Stage::build_grid) == schedule.cell_count * sizeof(CellRange) + keys);
+    CHECK(least_bytes(schedule, Stage::collide) == 4 * state + keys);
+    scene.settings.sort = SortMethod::bitonic;
+    // A pass reads every key; which of them change places is the state's affair, too.
+    CHECK(least_bytes(schedule_of(scene), Stage::bitonic_sort) == 55 * keys);
+    CHECK(least_bytes(schedule_of(test::free_fall_scene(1000)), Stage::bitonic_sort) == 0);
+    CHECK(least_bytes(schedule_of(test::free_fall_scene(1000)), Stage::collide) == 4 * 1000 * sizeof(vec4));
+}

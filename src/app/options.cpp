@@ -66,6 +66,17 @@ std::string parse_size(const std::string& text, Options& options) {
     return "expected WIDTHxHEIGHT such as 1280x720";
 }
 
+void add_size_option(CLI::App& app, Options& options, const std::string& about) {
+    app.add_option_function<std::string>(
+        "--size",
+        [&options](const std::string& text) {
+            if (const std::string problem = parse_size(text, options); !problem.empty()) {
+                throw CLI::ValidationError("--size", problem);
+            }
+        },
+        about);
+}
+
 CLI::App* add_headless(CLI::App& app, Options& options) {
     CLI::App* headless = app.add_subcommand("headless", "Simulate without a window, and report");
     add_scene_options(*headless, options);
@@ -84,14 +95,7 @@ CLI::App* add_headless(CLI::App& app, Options& options) {
                          "CSV with one row a step: energies, heats, momentum, overlap, contacts");
     headless->add_flag("--meters", options.meters, "Meter every substep: the report then has where the energy went");
     headless->add_option("--screenshot", options.screenshot, "PNG of the final state");
-    headless->add_option_function<std::string>(
-        "--size",
-        [&options](const std::string& text) {
-            if (const std::string problem = parse_size(text, options); !problem.empty()) {
-                throw CLI::ValidationError("--size", problem);
-            }
-        },
-        "Size of the screenshot, such as 1280x720");
+    add_size_option(*headless, options, "Size of the screenshot, such as 1280x720");
     headless->add_option("--look", options.look, "How balls are drawn: model or impostor")
         ->check(CLI::IsMember({"model", "impostor"}))
         ->capture_default_str();
@@ -120,11 +124,38 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
         ->delimiter(',')
         ->check(whole_number);
     bench->add_option("--sort", options.sort, "Sorts to compare, such as bitonic,bitonic_fused")->delimiter(',');
+    bench
+        ->add_option("--state", options.state,
+                     "States to time: start, as the scene has it, and settled, at rest under gravity")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"start", "settled"}))
+        ->capture_default_str();
+    bench->add_option("--settle", options.settle, "Seconds that coming to rest may take")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     bench->add_option("--steps", options.steps, "Timed steps a row, after as many for warm-up (default 20)")
         ->check(whole_number);
+    bench->add_option("--limit", options.limit, "Seconds that a row may take: then with fewer steps")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    bench->add_flag("--dispatches", options.dispatches, "Time every dispatch as well, in a run of its own");
+    bench->add_option("--draw", options.draw, "Time frames with a picture as well, of balls drawn as model or impostor")
+        ->check(CLI::IsMember({"model", "impostor"}));
+    add_size_option(*bench, options, "Size of that picture (default 1920x1080)");
     bench->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
     bench->add_option("--csv", options.csv, "Report as CSV to a file, or - for standard output");
     return bench;
+}
+
+// What other commands have other defaults for.
+void use_bench_defaults(const CLI::App& bench, Options& options) {
+    if (bench.count("--scene") == 0) {
+        options.scene = "bench_pile";
+    }
+    if (bench.count("--size") == 0) {
+        options.width = 1920;
+        options.height = 1080;
+    }
 }
 
 CLI::App* add_accuracy(CLI::App& app, Options& options) {
@@ -212,6 +243,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     }
     options.scene_given = app.count("--scene") > 0;
     options.backend_given = app.count("--backend") > 0;
+    if (options.command == Command::bench) {
+        use_bench_defaults(*app.get_subcommand("bench"), options);
+    }
     return options;
 }
 

@@ -42,12 +42,16 @@ struct Options {
     std::vector<std::uint32_t> balls;
     std::vector<std::uint32_t> substeps;
     std::vector<std::string> sort;
+    std::vector<std::string> state{"start"};  // start, settled
+    double settle = 60.0;                     // s of the wall clock, to come to rest
+    bool dispatches = false;
+    std::string draw;  // look of the balls in the pictures that are timed as well; empty: none
 
     // accuracy; substeps are bench's, seconds headless's
     std::vector<std::string> integrator;
     std::vector<std::string> precision;  // float, compensated
     std::vector<std::uint32_t> grid_reuse;
-    double limit = 20.0;  // s of the wall clock, of one run
+    double limit = 20.0;  // s of the wall clock, of one run; bench's, too
 
     // extremes; backend may be reference, too
     std::vector<std::string> only;  // rows, such as E7; empty: all

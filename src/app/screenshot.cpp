@@ -1,7 +1,6 @@
 #include "app/screenshot.h"
 
-#include "app/drawn_buffers.h"
-#include "app/room.h"
+#include "app/home_picture.h"
 #include "app/window_picture.h"
 #include "view/image.h"
 
@@ -43,17 +42,7 @@ void Screenshot::save(Simulation& simulation, const std::optional<SharedCode>& c
         return;
     }
     DrawnBuffers buffers;
-    view::Picture picture;
-    picture.positions = buffers.positions(simulation.backend());
-    picture.ball_count = simulation.schedule().ball_count;
-    picture.grid = simulation.schedule().grid;
-    picture.half_extent = room_half_extent(simulation);
-    picture.box = drawn_box(simulation);
-    picture.width = framebuffer_.width();
-    picture.height = framebuffer_.height();
-    picture.camera =
-        view::home(picture.half_extent, static_cast<float>(picture.width) / static_cast<float>(picture.height));
-    picture.look = look_;
+    const view::Picture picture = home_picture(simulation, buffers, look_, framebuffer_.width(), framebuffer_.height());
     framebuffer_.bind();
     renderer_.draw(picture);
     view::save_png(file_, picture.width, picture.height, framebuffer_.pixels());

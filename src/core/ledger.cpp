@@ -54,6 +54,29 @@ double bytes_per_ball(const Schedule& schedule) {
     return schedule.ball_count == 0 ? 0.0 : static_cast<double>(sum) / schedule.ball_count;
 }
 
+std::size_t least_bytes(const Dispatch& dispatch, const Schedule& schedule) {
+    const auto bytes = bytes_of(schedule);
+    const Shader shader = dispatch.program.shader;
+    std::size_t sum = 0;
+    for (const Slot slot : dispatch.reads) {
+        sum += slot == Slot::cell_ranges ? 0 : bytes[static_cast<std::size_t>(slot)];
+    }
+    for (const Slot slot : dispatch.writes) {
+        const bool in_part = (slot == Slot::cell_ranges && shader != Shader::clear_cells) ||
+                             (slot == Slot::keys && shader == Shader::bitonic_sort);
+        sum += in_part ? 0 : bytes[static_cast<std::size_t>(slot)];
+    }
+    return sum;
+}
+
+std::size_t least_bytes(const Schedule& schedule, Stage stage) {
+    std::size_t sum = 0;
+    for (const Dispatch& dispatch : schedule.dispatches) {
+        sum += dispatch.stage == stage ? least_bytes(dispatch, schedule) : 0;
+    }
+    return sum;
+}
+
 BarrierCount count_barriers(const Schedule& schedule) {
     Hazards hazards;
     run_in_the_books(schedule, hazards);

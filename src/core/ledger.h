@@ -17,6 +17,12 @@ std::array<std::size_t, slot_count> bytes_of(const Schedule& schedule);
 /// Of those the slots that grow with the number of balls (all but the cell table and the status word), a ball.
 double bytes_per_ball(const Schedule& schedule);
 
+/// Bytes that a dispatch cannot do without moving: each slot that it reads or writes as a whole, once. Not counted is
+/// what depends on the state: which cells are looked at or have balls, which keys of a pass change places.
+std::size_t least_bytes(const Dispatch& dispatch, const Schedule& schedule);
+/// The same of all dispatches of a stage.
+std::size_t least_bytes(const Schedule& schedule, Stage stage);
+
 /// Barriers of one substep among many, with nothing looked at in between.
 struct BarrierCount {
     std::uint32_t before = 0;  // 1 where the first dispatch waits for the substep before

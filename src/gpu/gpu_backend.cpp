@@ -203,6 +203,8 @@ void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& para
         const Stage stage = schedule.dispatches[i].stage;
         if (timed && (i + 1 == last || schedule.dispatches[i + 1].stage != stage)) {
             timer_.mark(static_cast<int>(stage));
+            // llvmpipe looks at its clock at the next barrier, which the next dispatch need not ask for.
+            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         }
     }
     if (timed) {

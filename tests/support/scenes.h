@@ -10,10 +10,10 @@
 
 namespace ballpit::test {
 
-inline constexpr std::array<std::string_view, 17> shipped_scene_names = {
-    "cannonball", "column_of_ten",        "cooling_gas", "elastic_gas",    "free_fall",    "historical",
-    "hot_corner", "kicked_chain",         "mixed_sizes", "newtons_cradle", "oblique_pair", "one_cell",
-    "pile",       "projectile_with_drag", "rain",        "two_balls",      "unequal_pair"};
+inline constexpr std::array<std::string_view, 18> shipped_scene_names = {
+    "bench_pile", "cannonball", "column_of_ten",        "cooling_gas", "elastic_gas",    "free_fall",
+    "historical", "hot_corner", "kicked_chain",         "mixed_sizes", "newtons_cradle", "oblique_pair",
+    "one_cell",   "pile",       "projectile_with_drag", "rain",        "two_balls",      "unequal_pair"};
 
 inline std::filesystem::path source_folder() { return BALLPIT_SOURCE_DIR; }
 

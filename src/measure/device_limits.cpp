@@ -1,0 +1,37 @@
+#include "measure/device_limits.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace ballpit::measure {
+
+double copy_limit(const DeviceLimits& limits, std::size_t bytes) {
+    if (limits.copies.empty()) {
+        return 0.0;
+    }
+    double best = 0.0;
+    for (const CopyRate& copy : limits.copies) {
+        best = copy.bytes >= bytes ? std::max(best, copy.gb_s) : best;
+    }
+    const auto largest = std::ranges::max_element(limits.copies, {}, &CopyRate::bytes);
+    return best > 0.0 ? best : largest->gb_s;
+}
+
+double gb_s(std::size_t bytes, double ms) { return ms > 0.0 ? static_cast<double>(bytes) / (ms * 1e6) : 0.0; }
+
+std::string impossible(double ms, std::size_t bytes, std::size_t at_once, const DeviceLimits& limits) {
+    std::ostringstream why;
+    why.precision(3);
+    const double least = std::max(limits.clock_step_ms, limits.least_span_ms);
+    if (!(ms > 0.0) || ms < least) {
+        why << ms << " ms is less than the clock can tell (" << least << " ms)";
+        return why.str();
+    }
+    const double limit = copy_limit(limits, at_once);
+    if (limit > 0.0 && gb_s(bytes, ms) > faster_than_copying * limit) {
+        why << gb_s(bytes, ms) << " GB/s is more than the device can move (it copies " << limit << " GB/s)";
+    }
+    return why.str();
+}
+
+}  // namespace ballpit::measure
