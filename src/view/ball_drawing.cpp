@@ -67,7 +67,8 @@ BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model
       impostor_programs_{{shader_folder, "ball_impostor"}, {shader_folder, "ball_impostor", {"VALUED"}}},
       shadow_programs_(shader_folder, "ball_shadow"),
       contact_programs_(shader_folder, "ball_contact"),
-      arrow_programs_(shader_folder, "arrow") {
+      arrow_programs_(shader_folder, "arrow"),
+      far_balls_(shader_folder) {
     constexpr std::array<glm::vec2, square_corners> corners = {glm::vec2(-1.0f, -1.0f), glm::vec2(1.0f, -1.0f),
                                                                glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, 1.0f)};
     square_ = static_buffer("square", std::span<const glm::vec2>(corners));
@@ -170,6 +171,9 @@ void BallDrawing::draw_shadow_map(const Picture& picture) {
 }
 
 void BallDrawing::draw_contacts(const Picture& picture) {
+    if (all_far(picture)) {
+        return;  // discs of a few pixels, below balls that hide them
+    }
     point_at_balls(square_array_, picture);
     use(contact_programs_);
     square_array_.bind();
@@ -208,6 +212,11 @@ void BallDrawing::draw_ghosts(const Picture& picture) {
 
 void BallDrawing::draw_look(const Picture& picture, bool ghosts) {
     const auto balls = static_cast<GLsizei>(picture.ball_count);
+    if (!faded_ && all_far(picture)) {
+        use_surface(far_balls_.use(picture, shows_values(picture)), meshes_.front().surfaces.front());
+        far_balls_.draw(picture);
+        return;
+    }
     if (picture.look == Look::impostor) {
         point_at_balls(square_array_, picture);
         const gl::Program& program = use(impostor_programs_, picture, ghosts);

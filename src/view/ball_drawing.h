@@ -10,6 +10,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
+#include "view/far_balls.h"
 #include "view/model.h"
 #include "view/picture.h"
 
@@ -79,6 +80,7 @@ private:
     Programs shadow_programs_;
     Programs contact_programs_;
     Programs arrow_programs_;
+    FarBalls far_balls_;
     std::vector<Mesh> meshes_;  // fine, then the coarser one if there is one
     gl::VertexArray square_array_;
     gl::Buffer square_;

@@ -1,0 +1,37 @@
+// Many balls from afar: a point each, where a model or a ray would be spent on a few pixels.
+#pragma once
+
+#include <filesystem>
+
+#include "gl/program.h"
+#include "gl/vertex_array.h"
+#include "view/picture.h"
+
+namespace ballpit::view {
+
+/// Pixels across below which a ball is drawn as a point, and from how many balls on: fewer are drawn as they are.
+inline constexpr float far_below = 6.0f;
+inline constexpr std::uint32_t far_from = 30000;
+
+/// Pixels across of the largest balls (which a cell is made to hold), as near as the box lets them be.
+float largest_across(const Picture& picture);
+
+/// Whether all balls of the picture are drawn so: then they cast no shadows, either.
+bool all_far(const Picture& picture);
+
+class FarBalls {
+public:
+    explicit FarBalls(const std::filesystem::path& shader_folder);
+
+    /// The program in use afterwards, for the surface's uniforms.
+    const gl::Program& use(const Picture& picture, bool valued);
+    /// After that, with the depth test on.
+    void draw(const Picture& picture);
+
+private:
+    gl::Program usual_;
+    gl::Program valued_;
+    gl::VertexArray array_;
+};
+
+}  // namespace ballpit::view
