@@ -29,18 +29,14 @@ double stage_gb_s(const BenchRow& row, std::size_t stage) {
     return measure::gb_s(static_cast<std::size_t>(row.stage_bytes[stage]), median(row.stage_ms[stage]));
 }
 
-double best_copy(const DeviceLimits& limits) {
-    double best = 0.0;
-    for (const measure::CopyRate& copy : limits.copies) {
-        best = std::max(best, copy.gb_s);
-    }
-    return best;
+// How fast the device copies as much as this row's state.
+double copy_of_state(const BenchRow& row, const DeviceLimits& limits) {
+    return measure::copy_limit(limits, static_cast<std::size_t>(row.bytes_per_ball * row.balls));
 }
 
-// Of the rate at which the device copies as much as this row's state, in percent.
+// Of that rate, in percent.
 double limit_share(const BenchRow& row, std::size_t stage, const DeviceLimits& limits) {
-    const auto state = static_cast<std::size_t>(row.bytes_per_ball * row.balls);
-    const double limit = measure::copy_limit(limits, state);
+    const double limit = copy_of_state(row, limits);
     return limit > 0.0 ? 100.0 * stage_gb_s(row, stage) / limit : 0.0;
 }
 
@@ -135,6 +131,7 @@ Json bench_row_json(const BenchRow& row, const DeviceLimits& limits) {
                  {"contacts_per_ball", row.crowding.contacts},
                  {"bytes_per_ball", row.bytes_per_ball},
                  {"cell_table_bytes", row.cell_table_bytes},
+                 {"copy_gb_s", copy_of_state(row, limits)},
                  {"hash", hash_text(row.hash)}};
     if (row.settling) {
         json["settling"] = settling_json(*row.settling);
@@ -188,8 +185,8 @@ std::string bench_csv(std::span<const BenchRow> rows, const DeviceLimits& limits
             out << frames.wall_ms;
         }
         out << ',' << hash_text(row.hash) << ',' << quoted(row.possible() ? "" : impossible_json(row).dump()) << ','
-            << best_copy(limits) << ',' << limits.least_span_ms << ',' << origin.date << ',' << quoted(origin.command)
-            << '\n';
+            << copy_of_state(row, limits) << ',' << limits.least_span_ms << ',' << origin.date << ','
+            << quoted(origin.command) << '\n';
     }
     return out.str();
 }
