@@ -24,7 +24,7 @@ CELLS = "std::clamp(coordinate, Real(0), last)"
 # name; edits of the mirror; edits of the shaders (mutants.py has the form)
 MUTANTS = [
     ("no guard for the distance zero",
-     [("src/cpu/collide.cpp", "distance_squared > 0 ? offset / distance", "true ? offset / distance")],
+     [("src/cpu/collider.h", "distance_squared > 0 ? offset / distance", "true ? offset / distance")],
      [("glsl/shared/pair.glsl", "distance_squared > 0.0 ? offset / separation", "true ? offset / separation")]),
     ("no clamp before the cell becomes a whole number",
      [("src/cpu/assign_cells.cpp", CELLS, "last < 0 ? last : coordinate")],

@@ -22,7 +22,7 @@ import tempfile
 EXIT_SKIPPED = 77   # the executables' own: no OpenGL 4.3 here
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIVED = "**lived**"
-CPU = "src/cpu/collide.cpp"
+CPU = "src/cpu/collider.h"
 NEIGHBOURS = "src/cpu/neighbours.h"
 PAIR = "glsl/shared/pair.glsl"
 CONTACT = "glsl/shared/contact.glsl"
@@ -45,9 +45,9 @@ MUTANTS = [
      [("glsl/collide.comp", "(0.5 * params.drift * params.drift) * a", "(params.drift * params.drift) * a")],
      "A1 *"),
     ("positions are read after they are written",
-     [(CPU, "next_positions[id] = Vec4<Real>(x, radius);",
-       "next_positions[id] = Vec4<Real>(x, radius);\n"
-       "        const_cast<Vec4<Real>&>(in.positions[id]) = next_positions[id];")],
+     [(CPU, "out.next_positions[id] = Vec4<Real>(x, radius);",
+       "out.next_positions[id] = Vec4<Real>(x, radius);\n"
+       "        const_cast<Vec4<Real>&>(in.positions[id]) = out.next_positions[id];")],
      [("glsl/collide.comp", "writeonly buffer NextPositionsBlock", "buffer NextPositionsBlock"),
       (PAIR, "vec4 position = positions[other];", "vec4 position = next_positions[other];")],
      "A4 head*"),

@@ -9,11 +9,11 @@ template <class Real>
 uvec3 cell_coordinates(const SubstepParams<Real>& params, const Vec3<Real>& point) {
     uvec3 cell;
     for (int axis = 0; axis < 3; ++axis) {
-        Real coordinate = std::floor((point[axis] - params.grid_origin[axis]) * params.inverse_cell_width);
+        Real coordinate = (point[axis] - params.grid_origin[axis]) * params.inverse_cell_width;
         if (std::isnan(coordinate)) {
             coordinate = 0;
         }
-        // Clamped as a number, before the conversion: a float out of range has no defined integer.
+        // Clamped as a number, before the conversion, which rounds down: a float out of range has no defined integer.
         const Real last = static_cast<Real>(params.grid_cells[axis] - 1);
         cell[axis] = static_cast<std::uint32_t>(std::clamp(coordinate, Real(0), last));
     }
@@ -22,8 +22,8 @@ uvec3 cell_coordinates(const SubstepParams<Real>& params, const Vec3<Real>& poin
 
 template <class Real>
 void assign_cells(const SubstepParams<Real>& params, std::span<const Vec4<Real>> positions, std::span<Key> keys,
-                  Status& status) {
-    for (std::uint32_t ball = 0; ball < params.ball_count; ++ball) {
+                  Status& status, BallRange balls) {
+    for (std::uint32_t ball = balls.first; ball < balls.end; ++ball) {
         const Vec3<Real> centre(positions[ball]);
         const uvec3 cell = cell_coordinates(params, centre);
         keys[ball] = {(cell.z * params.grid_cells.y + cell.y) * params.grid_cells.x + cell.x, ball};
@@ -32,12 +32,16 @@ void assign_cells(const SubstepParams<Real>& params, std::span<const Vec4<Real>>
             ++status.out_of_bounds;
         }
     }
-    std::fill(keys.begin() + params.ball_count, keys.end(), Key{SENTINEL, SENTINEL});
+    if (balls.end == params.ball_count) {
+        std::fill(keys.begin() + params.ball_count, keys.end(), Key{SENTINEL, SENTINEL});
+    }
 }
 
 template uvec3 cell_coordinates(const SubstepParams<float>&, const Vec3<float>&);
 template uvec3 cell_coordinates(const SubstepParams<double>&, const Vec3<double>&);
-template void assign_cells(const SubstepParams<float>&, std::span<const Vec4<float>>, std::span<Key>, Status&);
-template void assign_cells(const SubstepParams<double>&, std::span<const Vec4<double>>, std::span<Key>, Status&);
+template void assign_cells(const SubstepParams<float>&, std::span<const Vec4<float>>, std::span<Key>, Status&,
+                           BallRange);
+template void assign_cells(const SubstepParams<double>&, std::span<const Vec4<double>>, std::span<Key>, Status&,
+                           BallRange);
 
 }  // namespace ballpit::cpu

@@ -5,6 +5,7 @@
 
 #include "core/layout.h"
 #include "core/substep_params.h"
+#include "cpu/ball_range.h"
 
 namespace ballpit::cpu {
 
@@ -12,10 +13,10 @@ namespace ballpit::cpu {
 template <class Real>
 uvec3 cell_coordinates(const SubstepParams<Real>& params, const Vec3<Real>& point);
 
-/// keys[i] = (cell id, i) for each ball, sentinels behind them. Counts centres outside the box.
-/// positions: ball_count; keys: key_count.
+/// keys[i] = (cell id, i) for each ball of a range, sentinels behind the last ball of all. Counts centres outside the
+/// box. positions: ball_count; keys: key_count.
 template <class Real>
 void assign_cells(const SubstepParams<Real>& params, std::span<const Vec4<Real>> positions, std::span<Key> keys,
-                  Status& status);
+                  Status& status, BallRange balls);
 
 }  // namespace ballpit::cpu

@@ -6,6 +6,7 @@
 #include "core/features.h"
 #include "core/layout.h"
 #include "core/substep_params.h"
+#include "cpu/ball_range.h"
 
 namespace ballpit::cpu {
 
@@ -26,13 +27,19 @@ struct CollideInput {
     std::span<const CellRange> cell_ranges;  // cell_count
 };
 
-/// Writes the next state of each ball, which may be over the state that is read where the contact law is absent;
-/// counts those that are not finite, with diagnostics. `left_out` (one a ball, else empty) is kept where sums are
-/// compensated. Neighbours are met in the order of
-/// cells and slots, so the sums, and with them the bits of the result, do not depend on who runs when.
+/// Where collide writes: over the state that is read where the contact law is absent.
+template <class Real>
+struct CollideOutput {
+    std::span<Vec4<Real>> next_positions;   // ball_count
+    std::span<Vec4<Real>> next_velocities;  // ball_count
+    std::span<LeftOut<Real>> left_out;      // ball_count where sums are compensated, else empty
+};
+
+/// Writes the next state of the balls of a range; counts those that are not finite, with diagnostics. Neighbours are
+/// met in the order of cells and slots, so the sums, and with them the bits of the result, do not depend on who runs
+/// when, nor on how the balls are shared out.
 template <class Real>
 void collide(const SubstepParams<Real>& params, Features features, const CollideInput<Real>& in,
-             std::span<Vec4<Real>> next_positions, std::span<Vec4<Real>> next_velocities,
-             std::span<LeftOut<Real>> left_out, Status& status);
+             const CollideOutput<Real>& out, Status& status, BallRange balls);
 
 }  // namespace ballpit::cpu

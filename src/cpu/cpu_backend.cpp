@@ -138,13 +138,24 @@ void CpuBackend<Real>::reschedule(const Schedule& schedule) {
 }
 
 template <class Real>
+CollideInput<Real> CpuBackend<Real>::collide_input() const {
+    return {positions_, velocities_, damping_ratios_, keys_, cell_ranges_};
+}
+
+template <class Real>
+CollideOutput<Real> CpuBackend<Real>::collide_output(Features features) {
+    return features.has(Feature::contact) ? CollideOutput<Real>{next_positions_, next_velocities_, left_out_}
+                                          : CollideOutput<Real>{positions_, velocities_, left_out_};
+}
+
+template <class Real>
 void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params) {
     const Features features = dispatch.program.features;
     Status unwanted{};
     Status& status = features.has(Feature::diagnostics) ? status_ : unwanted;
     switch (dispatch.program.shader) {
         case Shader::assign_cells:
-            return assign_cells<Real>(params, positions_, keys_, status);
+            return assign_cells<Real>(params, positions_, keys_, status, {0, params.ball_count});
         case Shader::bitonic_sort:
             return bitonic_sort(keys_, dispatch.constants[0], dispatch.constants[1]);
         case Shader::bitonic_sort_fused:
@@ -157,12 +168,9 @@ void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParam
             return count_missed<Real>(params, features, positions_, built_positions_, keys_, cell_ranges_, status);
         case Shader::keep_places:
             return keep_places<Real>(positions_, built_positions_);
-        case Shader::collide: {
-            const bool in_place = !features.has(Feature::contact);
-            return collide<Real>(params, features, {positions_, velocities_, damping_ratios_, keys_, cell_ranges_},
-                                 in_place ? positions_ : next_positions_, in_place ? velocities_ : next_velocities_,
-                                 left_out_, status);
-        }
+        case Shader::collide:
+            return collide<Real>(params, features, collide_input(), collide_output(features), status,
+                                 {0, params.ball_count});
     }
 }
 
@@ -174,7 +182,11 @@ void CpuBackend<Real>::run(const Schedule& schedule, const SubstepParams<double>
     StageTimes times{};
     for (std::size_t i = first; i < last; ++i) {
         const auto start = std::chrono::steady_clock::now();
-        run_dispatch(schedule.dispatches[i], narrow);
+        if (whole) {
+            run_in_whole(schedule.dispatches[i], narrow);
+        } else {
+            run_dispatch(schedule.dispatches[i], narrow);
+        }
         times[static_cast<std::size_t>(schedule.dispatches[i].stage)] += milliseconds_since(start);
     }
     if (timing_ && whole) {

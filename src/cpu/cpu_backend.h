@@ -48,10 +48,22 @@ public:
     std::span<const Vec4<Real>> next_velocities() const { return next_velocities_; }
     std::span<const CellRange> cell_ranges() const { return cell_ranges_; }
 
+protected:
+    /// One dispatch of the schedule, as the shader does it.
+    void run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params);
+    /// The same as a part of a whole substep, of which only the end can be seen.
+    virtual void run_in_whole(const Dispatch& dispatch, const SubstepParams<Real>& params) {
+        run_dispatch(dispatch, params);
+    }
+
+    CollideInput<Real> collide_input() const;
+    CollideOutput<Real> collide_output(Features features);
+    std::span<Key> keys() { return keys_; }
+    void add_to_status(const Status& more) { status_ = sum_of(status_, more); }
+
 private:
     void make_next(const Schedule& schedule);
     void load_left_out(std::span<const Compensation> compensations, const Schedule& schedule);
-    void run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params);
 
     std::vector<Vec4<Real>> positions_;
     std::vector<Vec4<Real>> velocities_;
