@@ -216,7 +216,11 @@ void count_speed(vec3 way, float radius) {
 #endif
 
 void main() {
+#ifdef LAW_CONTACT
+    uint id = sliced_index();
+#else
     uint id = global_index();
+#endif
     if (id >= params.ball_count) {
         return;
     }

@@ -69,7 +69,7 @@ void main() {
         farthest = 0u;
     }
     barrier();
-    uint id = global_index();
+    uint id = sliced_index();
     if (id < params.ball_count) {
         vec4 position = positions[id];
         precise vec3 way = position.xyz - built_positions[id].xyz;

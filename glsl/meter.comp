@@ -252,7 +252,11 @@ Meter metered(uint id) {
 shared float of_balls[METER_VALUES][GROUP_SIZE];
 
 void main() {
+#ifdef LAW_CONTACT
+    uint id = sliced_index();
+#else
     uint id = global_index();
+#endif
     uint thread = gl_LocalInvocationIndex;
     if (id < params.ball_count) {
         Meter meter = metered(id);

@@ -27,9 +27,13 @@ GOOD_SCENE = {
 }
 
 
-def run(*arguments, folder=None, size_limit=None, **environment):
+def run(*arguments, folder=None, size_limit=None, powerless=False, **environment):
     def limit_files():
-        resource.setrlimit(resource.RLIMIT_FSIZE, (size_limit, size_limit))
+        if size_limit:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size_limit, size_limit))
+        if powerless and os.geteuid() == 0:   # root may write everywhere
+            os.setgid(65534)
+            os.setuid(65534)
 
     env = {**os.environ, "SDL_VIDEODRIVER": "offscreen", "SDL_AUDIODRIVER": "dummy"}
     for name, value in environment.items():
@@ -37,7 +41,7 @@ def run(*arguments, folder=None, size_limit=None, **environment):
         if value is not None:
             env[name] = value
     return subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True, env=env, cwd=folder,
-                          timeout=TIME_LIMIT_S, check=False, preexec_fn=limit_files if size_limit else None,
+                          timeout=TIME_LIMIT_S, check=False, preexec_fn=limit_files if size_limit or powerless else None,
                           restore_signals=False)   # SIGXFSZ stays ignored: a write beyond the limit just fails
 
 
@@ -229,13 +233,61 @@ class CommandLine(unittest.TestCase):
         self.assertEqual((self.folder / "s.csv").read_text(), "precious")
 
     @unittest.skipUnless(resource, "no limits to set here")
+    def writers(self):
+        """Everything that writes a file: name and command line; the file is "out"."""
+        few = ("--backend", "cpu", "--scene", "two_balls")
+        for option in ("--state-out", "--trace", "--json", "--save"):
+            yield option, ("headless", *few, "--steps", "1", option, "out")
+        for option in ("--json", "--csv"):
+            yield "bench " + option, ("bench", *few, "--steps", "1", option, "out")
+            yield "accuracy " + option, ("accuracy", *few, "--seconds", "0.02", "--substeps", "8", "--integrator",
+                                         "leapfrog", option, "out")
+        for option in ("--json", "--markdown"):
+            yield "extremes " + option, ("extremes", "--backend", "cpu", "--only", "E16", option, "out")
+        if self.opengl:
+            yield "--screenshot", ("headless", *few, "--steps", "1", "--size", "64x64", "--screenshot", "out")
+
     def test_a_full_disk(self):
-        """A limit on the size of files stands in for it."""
-        for option in ("--state-out", "--trace", "--json"):
-            with self.subTest(option):
-                result = self.headless("--scene", "two_balls", "--steps", "1", option, "out.txt", size_limit=16)
-                self.refused(result, 2, "out.txt", "to the end")
+        """A limit on the size of files stands in for it: what was there before stays."""
+        old = "what was there before, and is longer than the limit"
+        for name, command in self.writers():
+            for before in (None, old):
+                with self.subTest(name, before=before):
+                    if before:
+                        (self.folder / "out").write_text(before)
+                    result = run(*command, folder=self.folder, size_limit=16)
+                    self.assertEqual(result.returncode, 2, result.stderr + result.stdout)
+                    self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+                    self.assertIn("out", result.stderr)
+                    self.expect_files(*(["out"] if before else []))
+                    if before:
+                        self.assertEqual((self.folder / "out").read_text(), before)
+                        (self.folder / "out").unlink()
+
+    def test_a_trace_that_finds_no_room_ends_the_run(self):
+        result = self.headless("--scene", "two_balls", "--steps", "100000000", "--trace", "out", size_limit=5000)
+        self.refused(result, 2, "out", "to the end")
         self.expect_files()
+
+    @unittest.skipUnless(hasattr(os, "setuid"), "no users here")
+    def test_a_folder_that_may_not_be_written(self):
+        try:
+            reachable = run("scenes", powerless=True).returncode == 0
+        except (OSError, subprocess.SubprocessError):
+            reachable = False
+        if not reachable:
+            self.skipTest("only root can read this source tree")
+        place = self.folder / "out"
+        place.write_text("old")
+        place.chmod(0o444)
+        self.folder.chmod(0o555)
+        self.addCleanup(self.folder.chmod, 0o755)
+        for name, command in self.writers():
+            with self.subTest(name):
+                result = run(*command, folder=self.folder, powerless=True)
+                self.refused(result, 2, "out")
+                self.assertEqual(place.read_text(), "old")
+                self.expect_files("out")
 
     @unittest.skipUnless(hasattr(os, "mkfifo"), "no pipes in the file system here")
     def test_a_pipe_stays_a_pipe(self):

@@ -226,3 +226,27 @@ TEST_CASE("a state that no scene file may hold is not saved", "[keep]") {
     CHECK(test::complaint_of([&] { scene_of_moment(simulation); }) ==
           "the scene cannot be saved: ball 7 has a position or velocity beyond 1e+30");
 }
+
+TEST_CASE("the scene as it is set is the one that starts with these settings", "[keep]") {
+    Simulation simulation = start(parse_scene(everything, "scene"));
+    Settings settings = simulation.settings();
+    settings.drag = 0.75;
+    settings.balls = 41;
+    simulation.change(settings);
+    simulation.step();
+    AddBalls added;
+    added.balls.push_back({dvec3(0.0), dvec3(0.0), 0.1, 1.0, {}, {}, false});
+    simulation.apply(added);
+    simulation.restart(9);
+    const Scene again = parse_scene(scene_text(scene_as_set(simulation)), "again");
+    CHECK(again.settings.drag == 0.75);
+    CHECK(again.settings.balls == 41);
+    CHECK(again.balls.size() == 2);
+    CHECK_FALSE(again.resume);
+    Simulation second = start(again);
+    CHECK(hash_of(second) == hash_of(simulation));
+    settings.balls = 1;  // fewer than the list has
+    simulation.change(settings);
+    CHECK(scene_as_set(simulation).settings.balls == 1);
+    CHECK(parse_scene(scene_text(scene_as_set(simulation)), "again").settings.balls == 1);
+}

@@ -3,6 +3,11 @@
 
 #include <fstream>
 #include <iterator>
+#if !defined(_WIN32)
+#include <sys/resource.h>
+
+#include <csignal>
+#endif
 
 #include "app/user_folders.h"
 #include "app/window_start.h"
@@ -124,6 +129,54 @@ TEST_CASE("a folder that cannot be written is one sentence", "[user-settings]") 
     CHECK(complaint.find("settings.json: cannot be written") != std::string::npos);
     CHECK(test::complaint_of([] { save_user_settings({}, UserSettings{}); }).find("home folder") != std::string::npos);
 }
+
+#if !defined(_WIN32)
+namespace {
+
+/// No file grows beyond as many bytes, as on a full disk.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    rlimit before_{};
+    void (*handler_)(int);
+};
+
+}  // namespace
+
+TEST_CASE("a full disk leaves the settings of before", "[user-settings]") {
+    const test::TemporaryFolder home;
+    UserSettings settings;
+    settings.scene = "pile";
+    settings.layout = "as it was";
+    save_user_settings(home.path(), settings);
+    const std::string before = text_of(home.path() / "settings.json");
+    settings.scene = "rain";
+    settings.layout = std::string(10000, 'x');
+    for (const rlim_t room : {rlim_t{10}, rlim_t{5000}}) {  // the second one only for the first file
+        const FullDisk disk(room);
+        const std::string complaint = test::complaint_of([&] { save_user_settings(home.path(), settings); });
+        CHECK(complaint.find("is the disk full?") != std::string::npos);
+        CHECK((text_of(home.path() / "settings.json") == before) == (room == 10));
+    }
+    const LoadedSettings loaded = load_user_settings(home.path());
+    CHECK(loaded.message.empty());
+    CHECK(loaded.settings.scene == "rain");
+    CHECK(loaded.settings.layout == "as it was");
+    CHECK(std::distance(fs::directory_iterator(home.path()), fs::directory_iterator()) == 2);
+}
+#endif
 
 #if !defined(_WIN32) && !defined(__APPLE__)
 TEST_CASE("folders follow the XDG rules", "[user-settings]") {

@@ -1,7 +1,7 @@
 // What this dispatch is told, and the index of this thread.
 #include "shared/layout.h"
 
-// Constants of this dispatch alone, such as k and j of a sort pass.
+// Constants of this dispatch alone, such as k and j of a sort pass. w: the first ball of a slice.
 uniform uvec4 dispatch_constants;
 
 // Beyond 65535 groups a dispatch is folded into rows of groups, one after the other. (A row's width is a constant:
@@ -9,3 +9,6 @@ uniform uvec4 dispatch_constants;
 uint global_index() {
     return gl_GlobalInvocationID.y * (FOLDED_WIDTH * GROUP_SIZE) + gl_GlobalInvocationID.x;
 }
+
+// Where each thread looks at other balls a dispatch could take long: then it is cut into slices of balls.
+uint sliced_index() { return dispatch_constants.w + global_index(); }

@@ -1,6 +1,7 @@
 // `ballpit headless`: simulates without a window; state, trace, picture and report on request.
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "core/grid_reuse.h"
 #include "core/scene_writer.h"
 #include "core/stopwatch.h"
+#include "gl/reset.h"
 #include "measure/energy.h"
 #include "measure/stability.h"
 #include "measure/warnings.h"
@@ -59,6 +61,9 @@ public:
                 file_->stream(), simulation_.step_count(), simulation_.time(),
                 measure::totals_of(state, simulation_.settings(), simulation_.features(), simulation_.box()), state,
                 metered);
+            if (!file_->stream()) {
+                file_->commit();  // says so now, and not after hours
+            }
         }
     }
     void commit() {
@@ -197,6 +202,22 @@ Json relax(Simulation& simulation) {
     return report;
 }
 
+// The steps of a run, and what is done after each. Without asking, hours of steps could run on a device that is gone.
+void run_steps(Simulation& simulation, std::uint64_t steps, const std::function<void()>& after_step) {
+    try {
+        for (std::uint64_t i = 0; i < steps; ++i) {
+            simulation.step();
+            gl::expect_context();
+            after_step();
+        }
+        simulation.backend().finish();
+    } catch (const gl::Lost& lost) {
+        throw DeviceError(std::string(lost.what()) + "; that was before the end of step " +
+                          std::to_string(simulation.step_count()) +
+                          ", and no file was written: the same command starts it again");
+    }
+}
+
 }  // namespace
 
 int run_headless(const Options& options) {
@@ -243,14 +264,12 @@ int run_headless(const Options& options) {
     if (code) {
         code_report = run_code(*code, simulation);
     }
-    for (std::uint64_t i = 0; i < steps; ++i) {
-        simulation.step();
+    run_steps(simulation, steps, [&] {
         if (metered) {
             meters.take(simulation);
         }
         trace.add_row();
-    }
-    simulation.backend().finish();
+    });
     const double wall_ms = milliseconds_since(start);
     trace.commit();
     simulation.set_metering(true);

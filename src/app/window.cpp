@@ -6,8 +6,11 @@
 #include <utility>
 
 #include "app/budget.h"
+#include "app/user_folders.h"
 #include "app/window_main.h"
 #include "app/window_overlay.h"
+#include "core/error.h"
+#include "gl/reset.h"
 #include "ui/panels.h"
 #include "view/palette.h"
 
@@ -107,12 +110,21 @@ void Window::keep(double now_s) {
 }
 
 int Window::run() {
-    while (!quit_) {
-        wait_for_events();
-        handle_events();
-        if (!hidden()) {
-            frame();
+    try {
+        while (!quit_) {
+            wait_for_events();
+            handle_events();
+            if (!hidden()) {
+                frame();
+            }
+            gl::expect_context();
         }
+    } catch (const std::exception&) {  // whatever a device that is gone made of it
+        if (const auto reason = gl::reset_reason()) {
+            keeper_.finish(to_remember());
+            throw DeviceError(*reason + ". " + session_.rescue(data_folder()));
+        }
+        throw;
     }
     keeper_.finish(to_remember());
     return 0;

@@ -67,6 +67,9 @@ public:
     bool replay(Replay& replay, double seconds);
     /// For who saves it: the scene as it is at the start of the present substep.
     Scene scene_of_moment() { return ballpit::scene_of_moment(*simulation_); }
+    /// Where the device is gone and its balls with it: writes the scene as it was set, which starts anew, into the
+    /// folder. A sentence that says where it is, or why not.
+    std::string rescue(const std::filesystem::path& folder) const;
     /// Name in the gallery, or the file's without its ending.
     std::string scene_stem() const;
     /// What is to come back another day: scene, and the settings that are not its own.

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/atomic_file.h"
 #include "app/user_settings.h"
 #include "app/window_session.h"
 #include "core/error.h"
@@ -96,6 +97,20 @@ bool Session::replay(Replay& replay, double seconds) {
     cells_ready_ = now != Position{stepper_->timeline().start(), 0};
     look_from(ended && now.moment > replay.goal());
     return ended;
+}
+
+std::string Session::rescue(const std::filesystem::path& folder) const {
+    try {
+        const std::filesystem::path place = folder / "before_reset.json";
+        std::error_code ignored;  // what is wrong with it, writing tells
+        std::filesystem::create_directories(folder, ignored);
+        AtomicFile file(place);
+        file.stream() << scene_text(scene_as_set(*simulation_));
+        file.commit();
+        return "Settings are kept, and the scene as it was set is in " + place.string();
+    } catch (const InputError& error) {
+        return std::string("The scene could not be saved: ") + error.what();
+    }
 }
 
 std::string Session::scene_stem() const {

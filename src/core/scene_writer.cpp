@@ -223,6 +223,21 @@ void expect_finite(const vec4& position, const vec4& velocity, std::size_t ball)
 
 }  // namespace
 
+Scene scene_as_set(const Simulation& simulation) {
+    Scene scene = simulation.scene();
+    scene.settings = simulation.settings();
+    scene.settings.pull.reset();
+    const std::size_t wanted = scene.settings.balls - simulation.added();
+    if (scene.balls.size() > wanted) {
+        scene.balls.resize(wanted);
+    }
+    if (scene.fill) {
+        scene.fill->count = static_cast<std::uint32_t>(wanted - scene.balls.size());
+        scene.fill->seed = simulation.seed();
+    }
+    return scene;
+}
+
 Scene scene_of_moment(Simulation& simulation) {
     const BallState state = simulation.raw_state();
     const std::vector<BallSpec>& listed = simulation.scene().balls;

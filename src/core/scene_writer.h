@@ -13,6 +13,10 @@ namespace ballpit {
 /// out.
 std::string scene_text(const Scene& scene);
 
+/// The scene with the settings and the seed that it has now, as it starts; balls that were thrown in are not part of
+/// it. Asks nothing of the device, for who has none any more.
+Scene scene_as_set(const Simulation& simulation);
+
 /// The state as it is at the start of the present substep: every ball in its list, the fill empty, ready to give more.
 /// Loaded and run on, it gives the bytes that the simulation gives. A hand lets go. Waits for the device. Throws
 /// InputError where a ball has a number that no file can hold.

@@ -7,8 +7,6 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::uint32_t widest_dispatch = 65535;  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least this
-
 bool needs_grid(Features features) { return features.has(Feature::contact) && !features.has(Feature::brute_force); }
 
 // Features that each shader looks at; the others must not split its permutations.

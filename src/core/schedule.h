@@ -93,6 +93,8 @@ struct Schedule {
     bool keeps_places = false;  // where balls were when the grid was built is kept, to tell what a used grid misses
 };
 
+inline constexpr std::uint32_t widest_dispatch = 65535;  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least this
+
 /// Groups that cover this many invocations of groups of `group_size`.
 Groups groups_for(std::uint32_t invocations, std::uint32_t group_size);
 

@@ -4,6 +4,7 @@
 
 #include "gl/debug.h"
 #include "gl/error.h"
+#include "gl/reset.h"
 
 namespace ballpit::gl {
 
@@ -21,6 +22,17 @@ void init_video(bool visible) {
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
         throw Error(std::string("no display to open a window on: ") + SDL_GetError());
     }
+}
+
+// One that tells of resets (reset.h), and has lost everything then, where driver and window system offer it.
+SDL_GLContext context_of(SDL_Window* window) {
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, SDL_GL_CONTEXT_RESET_LOSE_CONTEXT);
+    SDL_GLContext context = SDL_GL_CreateContext(window);
+    if (context == nullptr) {
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, SDL_GL_CONTEXT_RESET_NO_NOTIFICATION);
+        context = SDL_GL_CreateContext(window);
+    }
+    return context;
 }
 
 }  // namespace
@@ -52,7 +64,7 @@ bool Context::create(const ContextOptions& options, int major, int minor) {
     if (window_ == nullptr) {
         return false;
     }
-    context_ = SDL_GL_CreateContext(window_);
+    context_ = context_of(window_);
     const bool loaded = context_ != nullptr && gladLoadGL(reinterpret_cast<GLADloadfunc>(SDL_GL_GetProcAddress)) != 0;
     if (!loaded || GLAD_GL_VERSION_3_3 == 0) {
         if (context_ != nullptr) {
@@ -63,6 +75,7 @@ bool Context::create(const ContextOptions& options, int major, int minor) {
         window_ = nullptr;
         return false;
     }
+    watch_resets(reinterpret_cast<GLADloadfunc>(SDL_GL_GetProcAddress));
     return true;
 }
 

@@ -3,6 +3,8 @@
 #include <cstring>
 #include <utility>
 
+#include "gl/reset.h"
+
 namespace ballpit::gl {
 
 Readback::Readback(Readback&& other) noexcept
@@ -41,6 +43,7 @@ std::optional<std::vector<std::byte>> Readback::poll() {
     }
     const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
     if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) {
+        expect_context();  // else who waits for it would wait for ever
         return std::nullopt;
     }
     glDeleteSync(std::exchange(fence_, nullptr));
@@ -48,6 +51,7 @@ std::optional<std::vector<std::byte>> Readback::poll() {
     staging_.bind(GL_COPY_READ_BUFFER);
     const void* mapped = glMapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(size_), GL_MAP_READ_BIT);
     if (mapped == nullptr) {
+        expect_context();
         return std::nullopt;
     }
     std::memcpy(bytes.data(), mapped, size_);

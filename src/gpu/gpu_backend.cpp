@@ -10,6 +10,7 @@
 #include "gl/debug.h"
 #include "gl/error.h"
 #include "gl/memory.h"
+#include "gl/reset.h"
 #include "gpu/barriers.h"
 
 namespace ballpit::gpu {
@@ -138,6 +139,7 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     write(Slot::compensations, std::as_bytes(std::span(compensations)));
     write(Slot::status, std::as_bytes(std::span(&clean, 1)));
     forget_grid(schedule);
+    slicer_.load(state, schedule);
 }
 
 void GpuBackend::reschedule(const Schedule& schedule) {
@@ -170,21 +172,44 @@ void GpuBackend::barrier(Uses uses) {
 
 void GpuBackend::use(Slot slot, Use use) { barrier(hazards_.before_use(slot, use)); }
 
-void GpuBackend::run_dispatch(const Dispatch& dispatch, const ShaderParams& params) {
+void GpuBackend::run_slices(const Dispatch& dispatch, const Schedule& schedule, Programs::Compiled& compiled) {
+    const std::uint32_t count = slicer_.slices(schedule);
+    slicer_.begin(schedule);
+    if (count == 1) {
+        compiled.set(dispatch.constants);
+        glDispatchCompute(dispatch.groups.x, dispatch.groups.y, 1);
+        ++dispatches_issued_;
+    } else {
+        for (const Slice& slice : slices_of(schedule.ball_count, count)) {
+            auto constants = dispatch.constants;
+            constants[3] = slice.first;
+            compiled.set(constants);
+            glDispatchCompute(slice.groups.x, slice.groups.y, 1);
+            glFlush();  // else a driver may send all of them as one piece of work
+            ++dispatches_issued_;
+        }
+    }
+    slicer_.end(count);
+}
+
+void GpuBackend::run_dispatch(const Dispatch& dispatch, const Schedule& schedule, const ShaderParams& params) {
     const gl::DebugGroup group(dispatch.name);
     Programs::Compiled& compiled = programs_->get(dispatch.program);
     compiled.program.use();
     compiled.params.bind(params);
-    if (compiled.dispatch_constants >= 0) {
-        glUniform4uiv(compiled.dispatch_constants, 1, dispatch.constants.data());
-    }
     for (const std::vector<Slot>* slots : {&dispatch.reads, &dispatch.writes}) {
         for (const Slot slot : *slots) {
             buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
         }
     }
     barrier(hazards_.before(dispatch));
-    glDispatchCompute(dispatch.groups.x, dispatch.groups.y, 1);
+    if (looks_at_pairs(dispatch.program)) {
+        run_slices(dispatch, schedule, compiled);
+    } else {
+        compiled.set(dispatch.constants);
+        glDispatchCompute(dispatch.groups.x, dispatch.groups.y, 1);
+        ++dispatches_issued_;
+    }
     hazards_.ran(dispatch);
 }
 
@@ -199,7 +224,7 @@ void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& para
         timer_.begin();
     }
     for (std::size_t i = first; i < last; ++i) {
-        run_dispatch(schedule.dispatches[i], shader_params);
+        run_dispatch(schedule.dispatches[i], schedule, shader_params);
         const Stage stage = schedule.dispatches[i].stage;
         if (timed && (i + 1 == last || schedule.dispatches[i + 1].stage != stage)) {
             timer_.mark(static_cast<int>(stage));
@@ -276,7 +301,8 @@ void GpuBackend::request_reading(std::uint64_t tag, const Schedule& schedule, co
         use(slot, Use::storage);
         buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
     }
-    meter_.request(tag, schedule.features, narrowed<float>(params), synchronisation);
+    meter_.request(tag, schedule.features, narrowed<float>(params), synchronisation,
+                   schedule.features.has(Feature::contact) ? slicer_.slices(schedule) : 1);
     for (const Slot slot : slots) {
         hazards_.shader_reads(slot);
     }
@@ -284,7 +310,9 @@ void GpuBackend::request_reading(std::uint64_t tag, const Schedule& schedule, co
 
 Bytes GpuBackend::read(Slot slot) {
     use(slot, Use::copy);
-    return buffer(slot).read(used_bytes_[physical(slot)]);
+    Bytes bytes = buffer(slot).read(used_bytes_[physical(slot)]);
+    gl::expect_context();
+    return bytes;
 }
 
 // By way of another buffer: the device then copies when its turn comes. glBufferSubData, too, has to wait for shaders
@@ -332,7 +360,10 @@ std::vector<StageTimes> GpuBackend::take_times() {
     return all;
 }
 
-void GpuBackend::finish() { glFinish(); }
+void GpuBackend::finish() {
+    glFinish();
+    gl::expect_context();
+}
 
 const gl::Buffer& GpuBackend::buffer_for_drawing(Slot slot) {
     barrier(hazards_.before_use(slot, Use::vertex) | hazards_.before_use(slot, Use::texture));

@@ -12,6 +12,7 @@
 #include "gl/timer.h"
 #include "gpu/meter.h"
 #include "gpu/programs.h"
+#include "gpu/slicer.h"
 #include "gpu/state_hasher.h"
 #include "gpu/state_history.h"
 
@@ -61,6 +62,10 @@ public:
     std::size_t allocated_bytes() const;
     /// How often glMemoryBarrier was called, since the backend was made.
     std::uint64_t barriers_issued() const { return barriers_issued_; }
+    /// Pairs that one dispatch may look at before it is cut into slices; from the next substep on.
+    void set_slice_limit(double pairs) { slicer_.set_limit(pairs); }
+    /// How often glDispatchCompute was called for a schedule, since the backend was made.
+    std::uint64_t dispatches_issued() const { return dispatches_issued_; }
 
 private:
     // A slot names a role, a physical buffer plays it: collide's output becomes the input by a change of roles.
@@ -77,13 +82,16 @@ private:
     void forget_grid(const Schedule& schedule);
     void barrier(Uses uses);
     void use(Slot slot, Use use);
-    void run_dispatch(const Dispatch& dispatch, const ShaderParams& params);
+    void run_dispatch(const Dispatch& dispatch, const Schedule& schedule, const ShaderParams& params);
+    void run_slices(const Dispatch& dispatch, const Schedule& schedule, Programs::Compiled& compiled);
 
     std::shared_ptr<Programs> programs_;
     std::array<gl::Buffer, slot_count> buffers_;
     std::array<std::size_t, slot_count> used_bytes_{};
     Hazards hazards_;
     std::uint64_t barriers_issued_ = 0;
+    std::uint64_t dispatches_issued_ = 0;
+    Slicer slicer_;
     std::array<gl::Readback, slot_count> readbacks_;
     StateHasher hasher_;
     StateHistory history_;

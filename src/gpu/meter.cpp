@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/backend.h"
+#include "core/dispatch_slices.h"
 #include "gl/debug.h"
 #include "gpu/programs.h"
 
@@ -62,11 +63,26 @@ Meter::Compiled& Meter::program_of(Features features) {
     compiled.program = gl::Program(stages);
     compiled.params = ParamsBlock(compiled.program);
     compiled.synchronisation = compiled.program.uniform("synchronisation");
+    compiled.constants = compiled.program.uniform("dispatch_constants");
     return programs_.emplace(relevant(features), std::move(compiled)).first->second;
 }
 
+void Meter::dispatch_slices(const Compiled& compiled, std::uint32_t balls, std::uint32_t count) {
+    if (count == 1) {
+        const Groups groups = groups_for(balls, GROUP_SIZE);
+        glUniform4ui(compiled.constants, 0, 0, 0, 0);
+        glDispatchCompute(groups.x, groups.y, 1);
+        return;
+    }
+    for (const Slice& slice : slices_of(balls, count)) {
+        glUniform4ui(compiled.constants, 0, 0, 0, slice.first);
+        glDispatchCompute(slice.groups.x, slice.groups.y, 1);
+        glFlush();
+    }
+}
+
 void Meter::request(std::uint64_t tag, Features features, const ShaderParams& params,
-                    const Synchronisation& synchronisation) {
+                    const Synchronisation& synchronisation, std::uint32_t slices) {
     const std::uint32_t parts = (params.ball_count + GROUP_SIZE - 1) / GROUP_SIZE;
     prepare(parts);
     if (waiting_.size() == METER_RING_SIZE) {  // nobody took any: the oldest entry would be overwritten unread
@@ -88,8 +104,7 @@ void Meter::request(std::uint64_t tag, Features features, const ShaderParams& pa
                                     static_cast<GLfloat>(synchronisation.new_velocity),
                                     static_cast<GLfloat>(synchronisation.acceleration), 0.0f};
         glUniform4fv(compiled.synchronisation, 1, factors.data());
-        const Groups groups = groups_for(params.ball_count, GROUP_SIZE);
-        glDispatchCompute(groups.x, groups.y, 1);
+        dispatch_slices(compiled, params.ball_count, slices);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     sum_.use();

@@ -26,9 +26,9 @@ public:
     /// The slots that the meter of these features reads.
     static std::vector<Slot> slots(Features features);
 
-    /// Those slots must be bound, and visible to shaders.
+    /// Those slots must be bound, and visible to shaders. `slices`: what it is cut into where balls look at others.
     void request(std::uint64_t tag, Features features, const ShaderParams& params,
-                 const Synchronisation& synchronisation);
+                 const Synchronisation& synchronisation, std::uint32_t slices);
 
     /// The readings that have arrived, in the order of asking; never waits.
     std::vector<TaggedReading> take();
@@ -39,7 +39,8 @@ private:
     struct Compiled {
         gl::Program program;
         ParamsBlock params;
-        GLint synchronisation = -1;  // uniform location
+        GLint synchronisation = -1;  // uniform locations
+        GLint constants = -1;
     };
     struct Pending {
         std::uint64_t tag;
@@ -48,6 +49,7 @@ private:
 
     void prepare(std::uint32_t parts);
     Compiled& program_of(Features features);
+    static void dispatch_slices(const Compiled& compiled, std::uint32_t balls, std::uint32_t count);
     void start_copy();
     void deliver(const std::vector<std::byte>& ring);
 

@@ -2,6 +2,7 @@
 // built ahead; any other permutation is compiled when it is first asked for, and noted.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -22,6 +23,15 @@ public:
         gl::Program program;
         ParamsBlock params;
         GLint dispatch_constants = -1;  // uniform location
+        std::array<std::uint32_t, 4> set_constants{};
+
+        /// While the program is in use. A driver may take its time over a uniform, so only those that differ are set.
+        void set(const std::array<std::uint32_t, 4>& constants) {
+            if (dispatch_constants >= 0 && constants != set_constants) {
+                glUniform4uiv(dispatch_constants, 1, constants.data());
+                set_constants = constants;
+            }
+        }
     };
 
     /// Throws gl::ShaderError with file, line and the driver's log.

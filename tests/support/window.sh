@@ -52,10 +52,11 @@ wait_for() {
 
 # ---- Display and program
 
-start_display() {
+start_display() {   # start_display SCREENS...: one, without any
+    [ $# -gt 0 ] || set -- -screen 0 1400x900x24
     # The server picks a free number and writes it when it is ready. When its last window goes it would start anew, and
     # refuse whoever comes meanwhile.
-    Xvfb -noreset -displayfd 3 -screen 0 1400x900x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
+    Xvfb -noreset -displayfd 3 "$@" -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
     display_server=$!
     wait_for "the display" test -s "$work/display"
     DISPLAY=:$(cat "$work/display")
