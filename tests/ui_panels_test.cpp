@@ -248,7 +248,7 @@ TEST_CASE("whatever is clicked asks for something that can be had, and every con
     ui::State state = full_state();
     std::set<std::size_t> kinds;
     std::set<ui::Action> actions;
-    for (std::uint64_t i = 0; i < 6000; ++i) {
+    for (std::uint64_t i = 0; i < 9000; ++i) {
         const auto x = static_cast<float>(900.0 + 380.0 * random_unit(1, 0, i));
         const auto y = static_cast<float>(720.0 * random_unit(1, 1, i));
         state.settings.stiffness = i % 2 == 0 ? 1000.0 : 500.0;  // so that there is a value to reset
@@ -279,8 +279,9 @@ TEST_CASE("whatever is clicked asks for something that can be had, and every con
     CHECK(actions == std::set<Action>{Action::toggle_run, Action::one_step, Action::restart, Action::new_seed,
                                       Action::previous_scene, Action::next_scene, Action::full_screen,
                                       Action::camera_home, Action::toggle_laws, Action::toggle_meters,
-                                      Action::toggle_budget, Action::toggle_explorer, Action::shoot_ball,
-                                      Action::add_cluster, Action::toggle_hand, Action::toggle_shake});
+                                      Action::toggle_budget, Action::toggle_explorer, Action::toggle_costs,
+                                      Action::shoot_ball, Action::add_cluster, Action::toggle_hand,
+                                      Action::toggle_shake});
 }
 
 TEST_CASE("an open list closes when asked to", "[ui]") {

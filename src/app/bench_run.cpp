@@ -112,7 +112,7 @@ void time_frames(Simulation& simulation, std::uint64_t steps, BenchPicture& pict
     picture.draw(simulation);
     glFinish();
     BenchTimer timer(simulation.backend());
-    const bool by_the_wall = simulation.backend().name() == "cpu";
+    const bool by_the_wall = simulation.backend().name() != "gpu";
     DrawnFrames frames;
     const auto start = Clock::now();
     for (std::uint64_t i = 0; i < steps; ++i) {

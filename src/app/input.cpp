@@ -19,7 +19,7 @@ struct KeyActions {
     Action with_shift;
 };
 
-constexpr std::array<KeyActions, 49> keys = {{
+constexpr std::array<KeyActions, 50> keys = {{
     {SDLK_SPACE, Action::toggle_run, Action::toggle_run},
     {SDLK_p, Action::toggle_run, Action::toggle_run},
     {SDLK_o, Action::one_step, Action::one_step},
@@ -64,6 +64,7 @@ constexpr std::array<KeyActions, 49> keys = {{
     {SDLK_F6, Action::toggle_meters, Action::toggle_meters},
     {SDLK_F7, Action::toggle_budget, Action::toggle_budget},
     {SDLK_F8, Action::toggle_explorer, Action::toggle_explorer},
+    {SDLK_F9, Action::toggle_costs, Action::toggle_costs},
     {SDLK_TAB, Action::toggle_panels, Action::toggle_panels},
     {SDLK_F11, Action::full_screen, Action::full_screen},
     {SDLK_HOME, Action::camera_home, Action::camera_home},

@@ -118,6 +118,7 @@ void view_fields(Access access, View& view) {
     access.flag("meters", view.meters, usual.meters);
     access.flag("budget", view.budget, usual.budget);
     access.flag("explorer", view.explorer, usual.explorer);
+    access.flag("costs", view.costs, usual.costs);
     access.flag("panels", view.panels, usual.panels);
     access.flag("stepper", view.stepper, usual.stepper);
     access.flag("microscope", view.microscope, usual.microscope);

@@ -138,8 +138,8 @@ bool Window::hidden() const {
 void Window::wait_for_events() {
     const bool still = !clock_.running() && clock_.state() != RunState::one_step && settling_ == 0 &&
                        !inspector_.waiting() && !sharing_.working() && !views_.working() && !laws_.working() &&
-                       !budget_.working() && !explorer_.working(view_.explorer) && !camera_.flying() &&
-                       !input_.active(gui_.typing()) && !blinks(overlay_);
+                       !budget_.working() && !explorer_.working(view_.explorer) && !costs_.working(view_.costs) &&
+                       !camera_.flying() && !input_.active(gui_.typing()) && !blinks(overlay_);
     if (!hidden() && !still) {
         return;
     }
@@ -184,10 +184,11 @@ void Window::frame() {
     meters_.update(session_, view_.meters);
     budget_.update(session_, view_.budget, seconds_between(start_, now), 1000.0 * busy_s, timings_.substep_ms());
     explorer_.update(view_.explorer, 1000.0 * busy_s);
+    costs_.update(view_.costs);
     measure_times(busy_s, wall_s, steps * session_.simulation().settings().dt);
-    for (std::string message :
-         {views_.take_message(), laws_.take_message(), budget_.take_message(), explorer_.take_message(),
-          play_.take_message(), session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
+    for (std::string message : {views_.take_message(), laws_.take_message(), budget_.take_message(),
+                                explorer_.take_message(), costs_.take_message(), play_.take_message(),
+                                session_.take_message(), sharing_.take_message(), keeper_.take_message()}) {
         if (!message.empty()) {
             message_ = std::move(message);
         }
@@ -252,6 +253,7 @@ ui::State Window::make_state() {
     state.meters = meters_.describe(session_, view_.meters);
     state.budget = budget_.describe(session_, view_.budget);
     state.explorer = explorer_.describe(session_, view_.explorer, budget_.options().budget);
+    state.costs = costs_.describe(session_, view_.costs);
     extremes_.describe(session_, clock_,
                        state.meters != nullptr && state.meters->record ? &*state.meters->record : nullptr, state);
     state.message = message_;

@@ -69,6 +69,9 @@ void Window::act(ui::Action action) {
         case ui::Action::toggle_explorer:
             view_.explorer = !view_.explorer;
             return;
+        case ui::Action::toggle_costs:
+            view_.costs = !view_.costs;
+            return;
         case ui::Action::next_colour:
             view_.colour = static_cast<ui::BallColour>((static_cast<std::size_t>(view_.colour) + 1) % ui::ball_colours);
             return;

@@ -10,6 +10,7 @@
 #include "app/window.h"
 #include "app/window_budget.h"
 #include "app/window_camera.h"
+#include "app/window_costs.h"
 #include "app/window_explorer.h"
 #include "app/window_extremes.h"
 #include "app/window_gui.h"
@@ -103,6 +104,8 @@ private:
     void act(const ui::ChangeBudget& command) { budget_.choose(command.options); }
     void act(const ui::MeasureLaws&) { laws_.measure_again(); }
     void act(const ui::StartSweep&) { explorer_.start(session_); }
+    void act(const ui::StartCosts&) { costs_.start(session_); }
+    void act(const ui::StopCosts&) { costs_.stop(); }
     void act(const ui::StopSweep&) { explorer_.stop(); }
     void act(const ui::ChooseMetric& command) { explorer_.choose(command.metric); }
     void act(const ui::ExportSlot& command) { views_.export_slot(command.slot, inspector_, session_); }
@@ -127,6 +130,7 @@ private:
     WindowBudget budget_{meters_};
     WindowExtremes extremes_;
     WindowExplorer explorer_;
+    WindowCosts costs_;
     Play play_;
     ui::Inspection inspection_;
     view::Overlay overlay_;

@@ -25,6 +25,7 @@ constexpr std::array<KeyRow, action_count> keys = {{
     {Action::toggle_meters, "F6", "F6", "Meters: where the energy goes, and how stable it is"},
     {Action::toggle_budget, "F7", "F7", "Error budget: how much may be wrong, and the substeps for it"},
     {Action::toggle_explorer, "F8", "F8", "Speed against accuracy, measured for this scene"},
+    {Action::toggle_costs, "F9", "F9", "Cost against the number of balls, measured for this scene"},
     {Action::toggle_panels, "Tab", "Tab", "Hide or show the panels"},
     {Action::full_screen, "F11", "F11", "Full screen"},
     {Action::camera_home, "Home", "Home", "Camera back to its place"},

@@ -21,6 +21,7 @@ enum class Action : std::uint8_t {
     toggle_meters,
     toggle_budget,
     toggle_explorer,
+    toggle_costs,
     shoot_ball,
     add_cluster,
     toggle_hand,
@@ -65,7 +66,7 @@ enum class Action : std::uint8_t {
     close,  // what lies on top: a list, the help page, full screen; never the program
     quit,
 };
-inline constexpr std::size_t action_count = 55;
+inline constexpr std::size_t action_count = 56;
 
 struct KeyRow {
     Action action;

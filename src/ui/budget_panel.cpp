@@ -202,6 +202,9 @@ void budget_section(const State& state, Commands& commands) {
     if (key_button("Speed and accuracy", key_hint(Action::toggle_explorer), column_width(1), state.view.explorer)) {
         commands.push_back(Action::toggle_explorer);
     }
+    if (key_button("Cost and number of balls", key_hint(Action::toggle_costs), column_width(1), state.view.costs)) {
+        commands.push_back(Action::toggle_costs);
+    }
 }
 
 void budget_panel(const State& state, Commands& commands) {

@@ -64,6 +64,9 @@ struct StopSweep {};
 struct ChooseMetric {
     measure::SweepMetric metric;
 };
+/// What a substep costs with other numbers of balls and every sort.
+struct StartCosts {};
+struct StopCosts {};
 struct ChangePlay {
     PlayOptions options;
 };
@@ -125,12 +128,12 @@ struct NameFile {
     std::string name;
 };
 
-using Command =
-    std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
-                 ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
-                 SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
-                 SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget, ChangePlay,
-                 RestartMeters, HideWarnings, RelaxOverlaps, StartSweep, StopSweep, ChooseMetric>;
+using Command = std::variant<Action, ChangeSettings, ChooseScene, ChooseBackend, ChangeSpeed, ChangeView, ChangeLight,
+                             ChangeTextSize, ClearStatus, DismissMessage, ChooseUnit, StepForward, StepBack, GoTo,
+                             SetCheckpointBudget, SetLiveCheck, ShowDifferences, SelectBall, SelectCell, ChangeProbe,
+                             SelectCellOfBall, ShowElement, ExportSlot, CopyCode, NameFile, MeasureLaws, ChangeBudget,
+                             ChangePlay, RestartMeters, HideWarnings, RelaxOverlaps, StartSweep, StopSweep,
+                             ChooseMetric, StartCosts, StopCosts>;
 using Commands = std::vector<Command>;
 
 }  // namespace ballpit::ui

@@ -37,6 +37,7 @@ struct ViewOptions {
     bool meters = false;
     bool budget = false;
     bool explorer = false;
+    bool costs = false;
     bool panels = true;
     bool help = false;
     bool stepper = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ui/budget_panel.h"
+#include "ui/costs_panel.h"
 #include "ui/explorer_panel.h"
 #include "ui/laws_panel.h"
 #include "ui/meters_panel.h"
@@ -166,6 +167,7 @@ void draw_panels(const State& state, Commands& commands) {
     draw_meters_window(state, commands);
     draw_budget_window(state, commands);
     draw_explorer_window(state, commands);
+    draw_costs_window(state, commands);
     draw_stepping_windows(state, commands);  // opened on purpose: they stay when the panels are hidden
     if (state.share != nullptr) {
         share_windows(state, commands);

@@ -12,6 +12,7 @@
 #include "core/settings.h"
 #include "measure/occupancy.h"
 #include "ui/budget.h"
+#include "ui/costs.h"
 #include "ui/explorer.h"
 #include "ui/inspection.h"
 #include "ui/laws.h"
@@ -89,6 +90,7 @@ struct State {
     const LawsState* laws = nullptr;          // null while their window is closed
     const BudgetState* budget = nullptr;      // the same
     const ExplorerState* explorer = nullptr;  // the same
+    const CostsState* costs = nullptr;        // the same
 
     const MetersState* meters = nullptr;  // null while their window is closed
 
