@@ -249,8 +249,8 @@ TEST_CASE("whatever is clicked asks for something that can be had, and every con
     std::set<std::size_t> kinds;
     std::set<ui::Action> actions;
     for (std::uint64_t i = 0; i < 9000; ++i) {
-        const auto x = static_cast<float>(900.0 + 380.0 * random_unit(1, 0, i));
-        const auto y = static_cast<float>(720.0 * random_unit(1, 1, i));
+        const auto x = static_cast<float>(900.0 + 380.0 * random_unit(3, 0, i));
+        const auto y = static_cast<float>(720.0 * random_unit(3, 1, i));
         state.settings.stiffness = i % 2 == 0 ? 1000.0 : 500.0;  // so that there is a value to reset
         for (const ui::Command& command : gui.click(state, x, y)) {
             kinds.insert(command.index());
