@@ -230,7 +230,11 @@ void CpuBackend<Real>::restore(const SavedState& state, const Schedule& schedule
 
 template <class Real>
 void CpuBackend<Real>::request_hash(std::uint64_t tag) {
-    hashes_.push_back({tag, hash_state(typed<vec4>(read(Slot::positions)), typed<vec4>(read(Slot::velocities)))});
+    if constexpr (std::is_same_v<Real, float>) {
+        hashes_.push_back({tag, hash_state(positions_, velocities_)});
+    } else {
+        hashes_.push_back({tag, hash_state(typed<vec4>(read(Slot::positions)), typed<vec4>(read(Slot::velocities)))});
+    }
 }
 
 template <class Real>

@@ -54,28 +54,44 @@ Surroundings surroundings_of(const SubstepParams<float>& params, std::span<const
     return around;
 }
 
-// Adds those of `slots` that touch the ball at `slot`; in collide's order of operations. A place is written for every
-// candidate, and kept for those that touch: no branch that nobody can foresee.
+constexpr std::uint32_t lanes = 4;   // candidates side by side: what every processor's vectors hold
+constexpr std::uint32_t group = 64;  // candidates at a time
+
+using Hits = std::array<std::uint32_t, group>;
+
+// Whether the balls at `first` and the following slots touch the one at `slot`; in collide's order of operations. In
+// whole lanes, so beyond `count` as well.
+void look_at(const SortedBalls& balls, std::uint32_t slot, std::uint32_t first, std::uint32_t count, Hits& hits) {
+    const float* const x = balls.x.data();
+    const float* const y = balls.y.data();
+    const float* const z = balls.z.data();
+    const float* const radius = balls.radius.data();
+    for (std::uint32_t start = 0; start < count; start += lanes) {
+        for (std::uint32_t lane = start; lane < start + lanes; ++lane) {
+            const float dx = x[slot] - x[first + lane];
+            const float dy = y[slot] - y[first + lane];
+            const float dz = z[slot] - z[first + lane];
+            const float reach = radius[slot] + radius[first + lane];
+            hits[lane] = dx * dx + dy * dy + dz * dz < reach * reach ? 1 : 0;
+        }
+    }
+}
+
+// Adds those of `slots` that touch the ball at `slot`. A place is written for every candidate, and kept for those that
+// touch: no branch that nobody can foresee.
 std::size_t add_touching(const SortedBalls& balls, std::uint32_t slot, Slots slots, std::vector<TouchingPair>& pairs,
                          std::size_t count) {
-    if (slots.end <= slots.first) {
-        return count;
-    }
-    if (pairs.size() < count + (slots.end - slots.first)) {
-        pairs.resize(2 * (count + (slots.end - slots.first)));
-    }
-    const float x = balls.x[slot];
-    const float y = balls.y[slot];
-    const float z = balls.z[slot];
-    const float radius = balls.radius[slot];
-    TouchingPair* const found = pairs.data();
-    for (std::uint32_t other = slots.first; other < slots.end; ++other) {
-        const float dx = x - balls.x[other];
-        const float dy = y - balls.y[other];
-        const float dz = z - balls.z[other];
-        const float reach = radius + balls.radius[other];
-        found[count] = {slot, other};
-        count += dx * dx + dy * dy + dz * dz < reach * reach ? 1 : 0;
+    Hits hits;
+    for (std::uint32_t first = slots.first; first < slots.end; first += group) {
+        const std::uint32_t candidates = std::min(group, slots.end - first);
+        look_at(balls, slot, first, candidates, hits);
+        if (pairs.size() < count + group) {
+            pairs.resize(2 * (count + group));
+        }
+        for (std::uint32_t i = 0; i < candidates; ++i) {
+            pairs[count] = {slot, first + i};
+            count += hits[i];
+        }
     }
     return count;
 }
@@ -84,7 +100,7 @@ std::size_t add_touching(const SortedBalls& balls, std::uint32_t slot, Slots slo
 
 void SortedBalls::resize(std::size_t count) {
     for (std::vector<float>* values : {&x, &y, &z, &radius}) {
-        values->resize(count);
+        values->resize(count + lanes - 1);
     }
 }
 

@@ -11,7 +11,7 @@
 
 namespace ballpit::cpu {
 
-/// Centres (m) and radii (m) by slot.
+/// Centres (m) and radii (m) by slot, and some more places, so that the last ones can be read in a group.
 struct SortedBalls {
     std::vector<float> x;
     std::vector<float> y;

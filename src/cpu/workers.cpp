@@ -7,6 +7,7 @@ namespace ballpit::cpu {
 namespace {
 
 constexpr int looks_before_sleep = 4000;  // some tens of microseconds: less than waking up costs
+constexpr int round_bits = 32;
 
 }  // namespace
 
@@ -27,12 +28,12 @@ Workers::~Workers() {
 
 std::uint32_t Workers::wait_for_round(std::uint32_t last) const {
     for (int look = 0; look < looks_before_sleep; ++look) {
-        if (const std::uint32_t round = round_.load(std::memory_order_acquire); round != last) {
+        if (const std::uint32_t round = round_; round != last) {
             return round;
         }
     }
-    round_.wait(last, std::memory_order_acquire);
-    return round_.load(std::memory_order_acquire);
+    round_.wait(last);
+    return round_;
 }
 
 void Workers::work() {
@@ -43,34 +44,47 @@ void Workers::work() {
             return;
         }
         take_tasks();
-        working_.fetch_sub(1, std::memory_order_release);
     }
 }
 
 void Workers::take_tasks() {
-    try {
-        for (std::uint32_t i = next_.fetch_add(1); i < count_; i = next_.fetch_add(1)) {
-            (*task_)(i);
+    std::uint64_t ticket = ticket_;
+    while (true) {
+        const Task* const task = task_;
+        const auto number = static_cast<std::uint32_t>(ticket);
+        if (number >= count_) {
+            return;
         }
-    } catch (...) {
-        const std::lock_guard lock(failure_lock_);
-        failure_ = failure_ ? failure_ : std::current_exception();
-        next_ = count_;  // the others stop, too
+        if (ticket_.compare_exchange_weak(ticket, ticket + 1)) {
+            attempt(*task, number);
+            ++done_;
+            ticket = ticket_;
+        }
     }
 }
 
-void Workers::run(std::uint32_t count, const std::function<void(std::uint32_t)>& task) {
+void Workers::attempt(const Task& task, std::uint32_t number) {
+    try {
+        task(number);
+    } catch (...) {
+        const std::lock_guard lock(failure_lock_);
+        failure_ = std::current_exception();
+    }
+}
+
+void Workers::run(std::uint32_t count, const Task& task) {
+    const std::uint64_t round = (ticket_ >> round_bits) + 1;
+    count_ = 0;  // who comes late finds nothing to do
     task_ = &task;
+    done_ = 0;
+    ticket_ = round << round_bits;
     count_ = count;
-    next_ = 0;
-    const bool shared = count > 1 && !threads_.empty();
-    if (shared) {
-        working_ = static_cast<std::uint32_t>(threads_.size());
-        round_.fetch_add(1, std::memory_order_release);
+    if (count > 1 && !threads_.empty()) {
+        ++round_;
         round_.notify_all();
     }
     take_tasks();
-    for (int look = 0; shared && working_.load(std::memory_order_acquire) != 0; ++look) {
+    for (int look = 0; done_ != count; ++look) {
         if (look > looks_before_sleep) {
             std::this_thread::yield();  // another program has the processor that the last task needs
         }
