@@ -20,7 +20,9 @@ namespace ballpit::app {
 
 namespace {
 
-constexpr std::array<std::size_t, 6> copied_bytes = {1u << 20, 4u << 20, 16u << 20, 64u << 20, 128u << 20, 512u << 20};
+constexpr std::array<std::size_t, 8> copied_bytes = {64u << 10, 256u << 10, 1u << 20,   4u << 20,
+                                                     16u << 20, 64u << 20,  128u << 20, 512u << 20};
+constexpr std::size_t worth_threads = 2u << 20;  // bytes: a smaller copy is done before a thread has begun
 constexpr int rounds = 5;
 constexpr int copies_a_round = 8;
 constexpr double longest_round_ms = 200.0;  // larger copies than this are not tried: they tell nothing new
@@ -121,7 +123,8 @@ public:
     }
 
     void run() {
-        const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
+        const std::size_t threads =
+            from_.size() < worth_threads ? 1 : std::max(1u, std::thread::hardware_concurrency());
         const std::size_t part = from_.size() / threads;
         std::vector<std::jthread> others;
         for (std::size_t i = 1; i < threads; ++i) {

@@ -194,7 +194,7 @@ std::string bench_csv(std::span<const BenchRow> rows, const DeviceLimits& limits
 void print_limits(std::ostream& out, const DeviceLimits& limits) {
     out << "copies";
     for (const measure::CopyRate& copy : limits.copies) {
-        out << (&copy == limits.copies.data() ? " " : ", ") << (copy.bytes >> 20) << " MiB at " << fixed(copy.gb_s, 0)
+        out << (&copy == limits.copies.data() ? " " : ", ") << (copy.bytes >> 10) << " KiB at " << fixed(copy.gb_s, 0)
             << " GB/s";
     }
     out << "; the clock's step is " << limits.clock_step_ms * 1e6 << " ns, two looks at it are at least "
