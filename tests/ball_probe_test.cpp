@@ -219,3 +219,17 @@ TEST_CASE("a difference is a length, whatever the fourth component", "[measure]"
     const std::vector<vec4> b = {{3, 4, 0, 9}, {1, 2, 3, 5}};
     CHECK(measure::difference_values(a, b) == std::vector<float>{5.0f, 0.0f});
 }
+
+TEST_CASE("a ball that is followed leads to the next one in quarantine, around the end", "[measure]") {
+    measure::BufferSample sample;
+    sample.uses_grid = false;
+    sample.positions.assign(6, vec4(0.0f, 0.0f, 0.0f, 0.1f));
+    CHECK_FALSE(measure::probe_ball(sample, 3).next_quarantined);
+    sample.positions[1].w = -0.1f;
+    for (const std::uint32_t ball : {0u, 1u, 5u}) {
+        CHECK(measure::probe_ball(sample, ball).next_quarantined == 1u);
+    }
+    sample.positions[4].w = -0.1f;
+    CHECK(measure::probe_ball(sample, 1).next_quarantined == 4u);
+    CHECK(measure::probe_ball(sample, 4).next_quarantined == 1u);
+}

@@ -1,6 +1,6 @@
-// State hashes of every shipped scene, as it is and with each integrator, law and way to compute, on the mirror and in
-// double: one line each. `./run determinism` compares the output of builds that may differ in nothing else than how
-// they were compiled.
+// State hashes of every shipped scene, as it is and with each integrator, law and way to compute, on the mirror, on all
+// processors and in double: one line each. `./run determinism` compares the output of builds that may differ in nothing
+// else than how they were compiled.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/simulation.h"
 #include "cpu/cpu_backend.h"
+#include "cpu/threaded_backend.h"
 #include "support/scenes.h"
 
 using namespace ballpit;
@@ -51,36 +52,43 @@ std::vector<Variant> variants_of(const Settings& settings) {
     return variants;
 }
 
-template <class Real>
-std::uint64_t hash_of(const Scene& scene, const Settings& settings) {
-    Simulation simulation(scene, settings, test::seed_of(scene), std::make_unique<cpu::CpuBackend<Real>>());
+std::uint64_t hash_of(const Scene& scene, const Settings& settings, std::unique_ptr<Backend> backend) {
+    Simulation simulation(scene, settings, test::seed_of(scene), std::move(backend));
     for (int i = 0; i < steps; ++i) {
         simulation.step();
     }
     return hash_state(simulation.raw_state());
 }
 
-void print_hashes(std::string_view name) {
+// False: threads do not give the mirror's bits.
+bool print_hashes(std::string_view name) {
+    bool same = true;
     const Scene scene = test::shipped_scene(name);
     Settings settings = scene.settings;
     settings.balls = std::min(settings.balls, std::max(most_balls, static_cast<std::uint32_t>(scene.balls.size())));
     for (const Variant& variant : variants_of(settings)) {
-        std::printf("%-22s %-28s %016llx %016llx\n", std::string(name).c_str(), variant.name.c_str(),
-                    static_cast<unsigned long long>(hash_of<float>(scene, variant.settings)),
-                    static_cast<unsigned long long>(hash_of<double>(scene, variant.settings)));
+        const std::uint64_t mirror = hash_of(scene, variant.settings, std::make_unique<cpu::CpuBackend<float>>());
+        const std::uint64_t threads = hash_of(scene, variant.settings, std::make_unique<cpu::ThreadedBackend>(3));
+        const std::uint64_t reference = hash_of(scene, variant.settings, std::make_unique<cpu::CpuBackend<double>>());
+        std::printf("%-22s %-28s %016llx %016llx%s\n", std::string(name).c_str(), variant.name.c_str(),
+                    static_cast<unsigned long long>(mirror), static_cast<unsigned long long>(reference),
+                    threads == mirror ? "" : "  threads have other bits");
+        same = same && threads == mirror;
     }
+    return same;
 }
 
 }  // namespace
 
 int main() {
+    bool same = true;
     try {
         for (const std::string_view name : test::shipped_scene_names) {
-            print_hashes(name);
+            same = print_hashes(name) && same;
         }
     } catch (const InputError& error) {
         std::fprintf(stderr, "ballpit_scene_hashes: %s\n", error.what());
         return 2;
     }
-    return 0;
+    return same ? 0 : 1;
 }

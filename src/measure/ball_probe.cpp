@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/quarantine.h"
 #include "measure/neighbours.h"
 
 namespace ballpit::measure {
@@ -110,11 +111,27 @@ std::uint64_t pairs_tested(const BufferSample& sample) {
 
 }  // namespace
 
+namespace {
+
+std::optional<std::uint32_t> quarantined_after(const std::vector<vec4>& positions, std::uint32_t ball) {
+    const auto count = static_cast<std::uint32_t>(positions.size());
+    for (std::uint32_t i = 1; i <= count; ++i) {
+        const std::uint32_t other = (ball + i) % count;
+        if (in_quarantine(positions[other])) {
+            return other;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 BallProbe probe_ball(const BufferSample& sample, std::uint32_t ball) {
     assert(ball < sample.positions.size());
     BallProbe probe;
     probe.ball = ball;
     probe.position = sample.positions[ball];
+    probe.next_quarantined = quarantined_after(sample.positions, ball);
     if (ball < sample.velocities.size()) {
         probe.velocity = sample.velocities[ball];
     }

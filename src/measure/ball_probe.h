@@ -51,6 +51,9 @@ struct BallProbe {
     std::uint64_t touched = 0;
     std::vector<NeighbourRow> rows;       // those tested, in collide's order; of brute force only those that touch
     std::optional<vec3> velocity_change;  // m/s, in this substep
+    // In quarantine: the first one after this ball, from the start again after the last; itself, where it is the only
+    // one.
+    std::optional<std::uint32_t> next_quarantined;
 };
 
 /// `ball` must be one of the sample's. Ranges and keys are not trusted: whatever points nowhere is left out.

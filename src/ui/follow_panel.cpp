@@ -1,6 +1,8 @@
 // One ball: its way through the buffers in one line, and everyone it is tested against.
 #include <algorithm>
+#include <cmath>
 
+#include "core/quarantine.h"
 #include "ui/paging.h"
 #include "ui/probe_panels.h"
 #include "ui/style.h"
@@ -133,6 +135,17 @@ void neighbour_table(const measure::BallProbe& probe, Commands& commands) {
     ImGui::EndTable();
 }
 
+void quarantine_line(const measure::BallProbe& probe, Commands& commands) {
+    if (in_quarantine(probe.position)) {
+        text("In quarantine: held where it was last, at rest. It touches nobody.");
+    }
+    if (probe.next_quarantined && probe.next_quarantined != probe.ball) {
+        if (ImGui::SmallButton(("Next in quarantine: " + grouped(*probe.next_quarantined)).c_str())) {
+            commands.push_back(SelectBall{*probe.next_quarantined, true});
+        }
+    }
+}
+
 void search_line(const ProbeState& view, Commands& commands) {
     if (const auto wanted = number_field("Ball", "Type a number and press Enter.", view.ball)) {
         commands.push_back(SelectBall{*wanted, false});
@@ -190,8 +203,9 @@ void follow_panel(const State& state, Commands& commands) {
     const measure::BallProbe& probe = *view.follow;
     trace_line(state, commands);
     dim_text("at " + vector_text(vec3(probe.position)) + " m   v " + vector_text(vec3(probe.velocity)) +
-             " m/s   radius " + short_number(static_cast<double>(probe.position.w)) + " m   mass " +
+             " m/s   radius " + short_number(std::abs(static_cast<double>(probe.position.w))) + " m   mass " +
              short_number(static_cast<double>(probe.velocity.w)) + " kg");
+    quarantine_line(probe, commands);
     counts_line(state, probe);
     run_links(probe, commands);
     if (!probe.rows.empty()) {

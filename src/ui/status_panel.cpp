@@ -35,6 +35,13 @@ void status_panel(const State& state, Commands& commands) {
     if (ImGui::Button("Forget")) {
         commands.push_back(ClearStatus{});
     }
+    if (state.status.quarantined_ball > 0) {
+        ImGui::SameLine();
+        if (ImGui::Button("Show it")) {
+            commands.push_back(SelectBall{state.status.quarantined_ball - 1, true});
+        }
+        tooltip("Followed, it leads to the next one in quarantine.");
+    }
 }
 
 bool has_warning(const State& state) { return !extreme_sentences(state.extremes, false).empty(); }
