@@ -72,7 +72,7 @@ measure::SweepBackends backends_of(const Backend& device, const Paths& paths) {
         auto programs = std::make_shared<gpu::Programs>(paths.shaders);
         backends.device = [programs] { return std::make_unique<gpu::GpuBackend>(programs); };
     } else {
-        backends.device = [] { return std::make_unique<cpu::CpuBackend<float>>(); };
+        backends.device = [name = std::string(device.name())] { return make_cpu_backend(name); };
     }
     return backends;
 }

@@ -75,8 +75,9 @@ int run_check(const Options& options) {
     if (options.steps == 0u) {
         throw InputError("--steps 0: expected at least 1 step to check");
     }
-    if (options.backend == "cpu") {
-        throw InputError("check --backend cpu: the mirror would be compared with itself; expected gpu or auto");
+    if (options.backend == "cpu" || options.backend == "threads") {
+        throw InputError("check --backend " + options.backend +
+                         ": the mirror would be compared with itself; expected gpu or auto");
     }
     const Setup setup = make_setup(options);
     Report json(options.json);

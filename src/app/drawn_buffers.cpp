@@ -1,6 +1,7 @@
 #include "app/drawn_buffers.h"
 
 #include "gpu/gpu_backend.h"
+#include "view/depth_order.h"
 
 namespace ballpit::app {
 
@@ -9,15 +10,26 @@ const gl::Buffer* DrawnBuffers::get(Backend& backend, Slot slot, gl::Buffer& cop
         const gl::Buffer& buffer = gpu->buffer_for_drawing(slot);
         return buffer.size() == 0 ? nullptr : &buffer;
     }
-    const Bytes bytes = backend.read(slot);  // the mirror's memory: no device to wait for
+    return upload(backend.read(slot), slot_name(slot), copy);  // the mirror's memory: no device to wait for
+}
+
+const gl::Buffer* DrawnBuffers::upload(std::span<const std::byte> bytes, std::string_view label, gl::Buffer& copy) {
     if (bytes.empty()) {
         return nullptr;
     }
     if (copy.size() < bytes.size()) {
-        copy = gl::Buffer(slot_name(slot), bytes.size(), GL_STREAM_DRAW);
+        copy = gl::Buffer(label, bytes.size(), GL_STREAM_DRAW);
     }
     copy.write(bytes);
     return &copy;
+}
+
+const gl::Buffer* DrawnBuffers::order(Backend& backend, const view::Camera& camera) {
+    if (backend.name() == "gpu") {
+        return nullptr;
+    }
+    const auto order = view::nearest_first(read_slot<vec4>(backend, Slot::positions), camera);
+    return upload(std::as_bytes(std::span(order)), "order of balls", order_);
 }
 
 }  // namespace ballpit::app

@@ -1,8 +1,12 @@
 // The buffers that drawing reads: the GPU backend's own, or, for the CPU mirror, a copy uploaded for this frame.
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "core/backend.h"
 #include "gl/buffer.h"
+#include "view/camera.h"
 
 namespace ballpit::app {
 
@@ -13,12 +17,18 @@ public:
     const gl::Buffer* velocities(Backend& backend) { return get(backend, Slot::velocities, velocities_); }
     const gl::Buffer* cell_ranges(Backend& backend) { return get(backend, Slot::cell_ranges, cell_ranges_); }
 
+    /// The order in which balls hide most of what is drawn after them; null where the positions are on a device, for
+    /// nobody waits for them.
+    const gl::Buffer* order(Backend& backend, const view::Camera& camera);
+
 private:
     static const gl::Buffer* get(Backend& backend, Slot slot, gl::Buffer& copy);
+    static const gl::Buffer* upload(std::span<const std::byte> bytes, std::string_view label, gl::Buffer& copy);
 
     gl::Buffer positions_;
     gl::Buffer velocities_;
     gl::Buffer cell_ranges_;
+    gl::Buffer order_;
 };
 
 }  // namespace ballpit::app

@@ -19,8 +19,9 @@ std::string whole_number(const std::string& text) {
 
 void add_scene_options(CLI::App& app, Options& options) {
     app.add_option("--scene", options.scene, "Scene of the gallery by name, or a scene file")->capture_default_str();
-    app.add_option("--backend", options.backend, "What computes: auto, gpu or cpu")
-        ->check(CLI::IsMember({"auto", "gpu", "cpu"}))
+    app.add_option("--backend", options.backend,
+                   "What computes: auto, gpu, cpu (the mirror) or threads (its bits, sooner)")
+        ->check(CLI::IsMember({"auto", "gpu", "cpu", "threads"}))
         ->capture_default_str();
     app.add_option("--set", options.set, "KEY=VALUE: a setting of `ballpit settings`; may be repeated")
         ->take_all()
@@ -96,8 +97,8 @@ CLI::App* add_headless(CLI::App& app, Options& options) {
     headless->add_flag("--meters", options.meters, "Meter every substep: the report then has where the energy went");
     headless->add_option("--screenshot", options.screenshot, "PNG of the final state");
     add_size_option(*headless, options, "Size of the screenshot, such as 1280x720");
-    headless->add_option("--look", options.look, "How balls are drawn: model or impostor")
-        ->check(CLI::IsMember({"model", "impostor"}))
+    headless->add_option("--look", options.look, "How balls are drawn: model, impostor or simple")
+        ->check(CLI::IsMember({"model", "impostor", "simple"}))
         ->capture_default_str();
     headless->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
     return headless;

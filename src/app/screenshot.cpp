@@ -18,7 +18,9 @@ Screenshot::Screenshot(const Paths& paths, const Options& options)
     : file_(options.screenshot),
       shader_folder_(paths.shaders),
       model_file_(model_file(paths, options)),
-      look_(options.look == "impostor" ? view::Look::impostor : view::Look::model),
+      look_(options.look == "impostor" ? view::Look::impostor
+            : options.look == "simple" ? view::Look::simple
+                                       : view::Look::model),
       renderer_(paths.shaders, view::load_model(model_file_)),
       framebuffer_(options.width, options.height) {}
 
@@ -29,7 +31,7 @@ void Screenshot::draw_as_sent(Simulation& simulation, const SharedCode& code) {
     options.light = light_of(code.shown.light);
     options.camera = code.camera.value_or(
         view::home(vec3(simulation.half_extent()), static_cast<float>(area.width) / static_cast<float>(area.height)));
-    WindowPicture picture(shader_folder_, model_file_);
+    WindowPicture picture(shader_folder_, model_file_, false);
     framebuffer_.bind();
     picture.draw_background(area);
     picture.draw(simulation, 0, options, area);

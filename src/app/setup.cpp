@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/scene_file.h"
 #include "cpu/cpu_backend.h"
+#include "cpu/threaded_backend.h"
 #include "gl/error.h"
 #include "gpu/gpu_backend.h"
 
@@ -39,9 +40,17 @@ Setup make_setup(const Options& options) {
     return setup;
 }
 
+std::unique_ptr<Backend> make_cpu_backend(std::string_view choice) {
+    if (choice == "threads") {
+        return std::make_unique<cpu::ThreadedBackend>();
+    }
+    return std::make_unique<cpu::CpuBackend<float>>();
+}
+
 Device open_device(const std::string& choice, const std::filesystem::path& shaders, bool picture) {
     Device device;
-    if (choice != "cpu" || picture) {
+    const bool on_cpu = choice == "cpu" || choice == "threads";
+    if (!on_cpu || picture) {
         try {
             gl::ContextOptions options;
             options.visible = false;
@@ -62,7 +71,7 @@ Device open_device(const std::string& choice, const std::filesystem::path& shade
         device.note =
             "the CPU mirror computes: the stages need OpenGL 4.3, this context has " + device.context->version();
     }
-    device.backend = std::make_unique<cpu::CpuBackend<float>>();
+    device.backend = make_cpu_backend(choice);
     return device;
 }
 

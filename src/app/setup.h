@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "app/options.h"
 #include "app/paths.h"
@@ -33,7 +34,10 @@ struct Device {
     std::string note;  // why `auto` did not take the GPU; else empty
 };
 
-/// `choice`: auto, gpu or cpu. With `picture` the context is made for the CPU backend, too, to draw with.
+/// The threaded one for "threads", the mirror for everything else.
+std::unique_ptr<Backend> make_cpu_backend(std::string_view choice);
+
+/// `choice`: auto, gpu, cpu or threads. With `picture` the context is made for the CPU backends, too, to draw with.
 /// Throws gl::Error where OpenGL is needed and not there; `auto` without a picture never does.
 Device open_device(const std::string& choice, const std::filesystem::path& shaders, bool picture);
 

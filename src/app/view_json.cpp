@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 2> look_names = {"model", "impostor"};
+constexpr std::array<std::string_view, 4> look_names = {"auto", "model", "impostor", "simple"};
 constexpr std::array<std::string_view, ui::ball_colours> colour_names = {"tinted", "plain",    "speed",  "cell",
                                                                          "slot",   "contacts", "radius", "difference"};
 

@@ -11,6 +11,7 @@
 #include "app/window_overlay.h"
 #include "core/error.h"
 #include "gl/reset.h"
+#include "gl/software.h"
 #include "ui/panels.h"
 #include "view/palette.h"
 
@@ -44,10 +45,13 @@ bool release_comes_next() {
 Window::Window(const WindowOptions& options)
     : context_(context_options(options)),
       gui_(context_, options.assets_folder / "fonts" / "DejaVuSans.ttf"),
-      session_(options, context_.has_compute(), context_.version()),
-      picture_(options.shader_folder, options.model_file),
+      session_(options, context_.has_compute(), context_.version(), gl::draws_in_software(context_.renderer())),
+      picture_(options.shader_folder, options.model_file, gl::draws_in_software(context_.renderer())),
       keeper_(options.user_folder, options.user) {
     SDL_GL_SetSwapInterval(1);
+    if (gl::draws_in_software(context_.renderer())) {
+        panel_layer_.emplace(options.shader_folder);
+    }
     remember(options.user);
     message_ = options.message;
     if (options.budget) {

@@ -20,7 +20,7 @@ struct WindowOptions {
     Settings settings;                            // the scene's, with --set
     std::optional<measure::BudgetPreset> budget;  // chooses the substeps to begin with
     std::uint64_t seed = 0;
-    std::string backend = "auto";  // auto, gpu, cpu
+    std::string backend = "auto";  // auto, gpu, cpu, threads
     std::filesystem::path assets_folder;
     std::filesystem::path shader_folder;
     std::filesystem::path model_file;

@@ -119,10 +119,9 @@ void Gui::begin_frame(float text_size) {
     ImGui::NewFrame();
 }
 
-void Gui::end_frame() const {
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-}
+void Gui::end_frame() const { ImGui::Render(); }
+
+void Gui::render() const { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
 
 std::string Gui::layout() const { return ImGui::SaveIniSettingsToMemory(); }
 

@@ -23,8 +23,9 @@ public:
     /// Starts a frame. Text is as high as a fixed share of the window's height, times `text_size`: readable from as far
     /// away on every projector.
     void begin_frame(float text_size);
-    /// Draws the panels into the window.
+    /// Closes the frame: render() draws the panels of it into what is bound.
     void end_frame() const;
+    void render() const;
 
     /// Where the windows stand that can be moved, as ImGui writes it. Set before the first frame.
     std::string layout() const;

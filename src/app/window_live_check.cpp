@@ -118,7 +118,7 @@ void LiveCheck::describe(ui::LiveCheckState& state) {
     state.mode = mode_;
     state.shown = shown_;
     state.ms = ms_ > 0.0 && ended_[static_cast<std::size_t>(Stage::collide)] ? ms_ : last_ms_;
-    state.mirror_computes = session_.simulation().backend().name() == "cpu";
+    state.mirror_computes = session_.simulation().backend().name() != "gpu";
     if (mode_ != ui::LiveCheckMode::off && holds_for_place()) {
         for (std::size_t i = 0; i < stage_count; ++i) {
             state.stages[i] = stage_check(static_cast<Stage>(i));

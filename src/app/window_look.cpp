@@ -61,11 +61,25 @@ void Window::draw() {
     if (view_.timings) {
         draw_timer_.mark(0);
     }
-    gui_.end_frame();
+    draw_panels(width, height);
     if (view_.timings) {
         draw_timer_.mark(1);
         draw_timer_.end();
     }
+}
+
+void Window::draw_panels(int width, int height) {
+    gui_.end_frame();
+    if (!panel_layer_) {
+        gui_.render();
+        return;
+    }
+    const double now_s = seconds_between(start_, frame_start_);
+    const bool lively = settling_ > 0 || !clock_.running() || gui_.holding();
+    if (panel_layer_->due(lively, now_s, width, height)) {
+        panel_layer_->draw(now_s, width, height);
+    }
+    panel_layer_->lay_over();
 }
 
 void Window::measure_times(double busy_s, double wall_s, double simulated_s) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "app/clock.h"
 #include "app/input.h"
+#include "app/panel_layer.h"
 #include "app/window.h"
 #include "app/window_budget.h"
 #include "app/window_camera.h"
@@ -54,6 +56,7 @@ private:
     void frame();
     int advance(double wall_s);
     void draw();
+    void draw_panels(int width, int height);
     ui::State make_state();
     void choose_substeps(measure::BudgetPreset preset);
     void measure_times(double busy_s, double wall_s, double simulated_s);
@@ -114,6 +117,7 @@ private:
     Gui gui_;
     Session session_;
     WindowPicture picture_;
+    std::optional<PanelLayer> panel_layer_;  // where a CPU draws
     Clock clock_;
     Input input_;
     Monitor monitor_;

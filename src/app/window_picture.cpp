@@ -13,6 +13,19 @@ view::BallColour drawn_colour(ui::BallColour colour, const gl::Buffer* values) {
     return static_cast<view::BallColour>(colour);
 }
 
+view::Look look_of(ui::Look look, bool software) {
+    switch (ui::drawn_look(look, software)) {
+        case ui::Look::impostor:
+            return view::Look::impostor;
+        case ui::Look::simple:
+            return view::Look::simple;
+        case ui::Look::model:
+        case ui::Look::automatic:
+            break;
+    }
+    return view::Look::model;
+}
+
 }  // namespace
 
 ui::LightOptions light_options(const view::Light& light) {
@@ -25,8 +38,9 @@ view::Light light_of(const ui::LightOptions& options) {
             options.speed,    options.colour, options.brightness, options.ambient};
 }
 
-WindowPicture::WindowPicture(const std::filesystem::path& shader_folder, const std::filesystem::path& model_file)
-    : renderer_(shader_folder, view::load_model(model_file)) {}
+WindowPicture::WindowPicture(const std::filesystem::path& shader_folder, const std::filesystem::path& model_file,
+                             bool software)
+    : renderer_(shader_folder, view::load_model(model_file)), software_(software) {}
 
 void WindowPicture::draw(Simulation& simulation, std::size_t side, const PictureOptions& options,
                          const PictureArea& area) {
@@ -51,7 +65,10 @@ void WindowPicture::draw(Simulation& simulation, std::size_t side, const Picture
     picture.box = drawn_box(simulation);
     picture.camera = options.camera;
     picture.light = options.light;
-    picture.look = view.look == ui::Look::impostor ? view::Look::impostor : view::Look::model;
+    picture.look = look_of(options.view.look, software_);
+    if (picture.look == view::Look::simple) {
+        picture.order = buffers.order(backend, options.camera);
+    }
     picture.ball_colour = drawn_colour(view.colour, options.values);
     picture.values = options.values;
     picture.value_low = options.value_low;

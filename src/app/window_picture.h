@@ -42,7 +42,8 @@ struct PictureOptions {
 class WindowPicture {
 public:
     /// Throws gl::ShaderError for a broken shader, InputError for a broken model.
-    WindowPicture(const std::filesystem::path& shader_folder, const std::filesystem::path& model_file);
+    /// `software`: whether a CPU draws.
+    WindowPicture(const std::filesystem::path& shader_folder, const std::filesystem::path& model_file, bool software);
 
     /// `side`: 0, or 1 for the second simulation of a split screen.
     void draw(Simulation& simulation, std::size_t side, const PictureOptions& options, const PictureArea& area);
@@ -52,6 +53,7 @@ public:
 
 private:
     view::Renderer renderer_;
+    bool software_;
     std::array<DrawnBuffers, 2> buffers_;
 };
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/setup.h"
 #include "core/error.h"
 #include "core/scene_file.h"
 #include "core/scene_schedule.h"
-#include "cpu/cpu_backend.h"
 #include "gl/error.h"
 #include "gpu/gpu_backend.h"
 
@@ -40,8 +40,9 @@ ui::SceneChoice describe_scene(const std::filesystem::path& file, std::vector<Sc
 
 }  // namespace
 
-Session::Session(const WindowOptions& options, bool has_compute, const std::string& gl_version)
+Session::Session(const WindowOptions& options, bool has_compute, const std::string& gl_version, bool software)
     : has_compute_(has_compute),
+      software_(software),
       programs_(std::make_shared<gpu::Programs>(options.shader_folder)),
       choice_(parse_choice(options.backend)),
       wanted_(options.settings) {
@@ -51,8 +52,7 @@ Session::Session(const WindowOptions& options, bool has_compute, const std::stri
     stepper_ = std::make_unique<Stepper>(*simulation_, default_checkpoint_budget);
     if (choice_ == ui::BackendChoice::automatic && !has_compute) {
         // The driver's text goes on after the number.
-        message_ =
-            "No OpenGL 4.3 here, only " + gl_version.substr(0, gl_version.find(' ')) + ": the CPU mirror computes.";
+        message_ = "No OpenGL 4.3 here, only " + gl_version.substr(0, gl_version.find(' ')) + ": the CPU computes.";
     }
 }
 
@@ -79,14 +79,17 @@ std::size_t Session::add_scene(SceneSource source, ui::SceneChoice choice) {
 }
 
 std::unique_ptr<Backend> Session::make_backend(ui::BackendChoice choice) const {
-    if (choice == ui::BackendChoice::gpu || (choice == ui::BackendChoice::automatic && has_compute_)) {
+    if (choice == ui::BackendChoice::automatic) {
+        choice = has_compute_ && !software_ ? ui::BackendChoice::gpu : ui::BackendChoice::threads;
+    }
+    if (choice == ui::BackendChoice::gpu) {
         return std::make_unique<gpu::GpuBackend>(programs_);
     }
-    return std::make_unique<cpu::CpuBackend<float>>();
+    return make_cpu_backend(ui::backend_choice_names[static_cast<std::size_t>(choice)]);
 }
 
 std::unique_ptr<Backend> Session::twin_backend() const {
-    return make_backend(simulation_->backend().name() == "gpu" ? ui::BackendChoice::gpu : ui::BackendChoice::cpu);
+    return make_backend(parse_choice(std::string(simulation_->backend().name())));
 }
 
 // A refused file or value leaves the simulation as it was, and so does a device without room. One that failed has lost
@@ -254,7 +257,8 @@ void Session::choose_backend(ui::BackendChoice choice) {
     const auto change = [&] {
         std::unique_ptr<Backend> backend = make_backend(choice);
         auto changes = changes_so_far();
-        both_backends_ = both_backends_ || backend->name() != simulation_->backend().name();
+        // Mirror and threads have the same bits.
+        both_backends_ = both_backends_ || (backend->name() == "gpu") != (simulation_->backend().name() == "gpu");
         simulation_->use(std::move(backend));
         earlier_changes_ = std::move(changes);
         start_timeline();
@@ -336,6 +340,7 @@ void Session::describe(ui::State& state) const {
     state.overlapping = simulation.overlapping_at_start();
     state.backend = choice_;
     state.gpu_usable = has_compute_;
+    state.software = software_;
     state.backend_name = simulation.backend().name();
     state.has_grid = simulation.schedule().cell_count > 0;
     state.cell_width = simulation.schedule().grid.cell_width;

@@ -31,8 +31,9 @@ struct SceneSource {
 
 class Session {
 public:
-    /// `gl_version`: of the current context; `has_compute`: whether it is 4.3. Throws as run_window.
-    Session(const WindowOptions& options, bool has_compute, const std::string& gl_version);
+    /// Of the current context: `has_compute`, whether it is 4.3; `gl_version`; `software`, whether a CPU draws. Throws
+    /// as run_window.
+    Session(const WindowOptions& options, bool has_compute, const std::string& gl_version, bool software = false);
 
     Simulation& simulation() { return *simulation_; }
     const Simulation& simulation() const { return *simulation_; }
@@ -123,6 +124,7 @@ private:
     void look_from(bool behind);
 
     bool has_compute_;
+    bool software_;  // a CPU draws, and would run the stages
     std::shared_ptr<gpu::Programs> programs_;
     std::vector<SceneEntry> gallery_;
     std::vector<SceneSource> sources_;  // of the scenes, one each

@@ -25,7 +25,7 @@ double farthest_apart(const std::vector<vec4>& a, const std::vector<vec4>& b) {
 }  // namespace
 
 std::uint32_t most_brute_force_balls(std::string_view backend_name) {
-    return backend_name == "cpu" ? most_on_cpu : most_on_gpu;
+    return backend_name == "gpu" ? most_on_gpu : most_on_cpu;
 }
 
 std::optional<std::string> brute_force_refusal(std::uint32_t balls, bool has_contacts, std::string_view backend_name) {

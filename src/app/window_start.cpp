@@ -62,8 +62,8 @@ int open_window(const Options& options) {
     window.seed = setup.seed;
     window.relax = options.relax;
     // What is remembered is a wish: on another machine the GPU that was asked for may not be there.
-    const bool remembered_cpu = !options.backend_given && window.user.backend == "cpu";
-    window.backend = remembered_cpu ? "cpu" : options.backend;
+    const bool remembered_cpu = window.user.backend == "cpu" || window.user.backend == "threads";
+    window.backend = remembered_cpu && !options.backend_given ? window.user.backend : options.backend;
     window.assets_folder = setup.paths.assets;
     window.shader_folder = setup.paths.shaders;
     window.model_file =

@@ -34,7 +34,7 @@ std::string run_text(const State& state) {
 void frame_rate_panel(const State& state) {
     large_text(format("%.0f FPS   %.1f ms", state.fps, state.frame_ms));
     dim_text(grouped(state.settings.balls) + (state.settings.balls == 1 ? " ball" : " balls") + "  ·  " +
-             (state.backend_name == "gpu" ? "GPU" : "CPU mirror") + "  ·  " + run_text(state));
+             std::string(computer_text(state.backend_name)) + "  ·  " + run_text(state));
     dim_text(format("t = %.3f s  ·  step %llu  ·  seed %llu", state.time,
                     static_cast<unsigned long long>(state.step_count), static_cast<unsigned long long>(state.seed)));
     if (state.play != nullptr && state.play->options.hand) {

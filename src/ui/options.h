@@ -9,10 +9,15 @@
 
 namespace ballpit::ui {
 
-enum class BackendChoice : std::uint8_t { automatic, gpu, cpu };
-inline constexpr std::array<std::string_view, 3> backend_choice_names = {"auto", "gpu", "cpu"};
+enum class BackendChoice : std::uint8_t { automatic, gpu, cpu, threads };
+inline constexpr std::array<std::string_view, 4> backend_choice_names = {"auto", "gpu", "cpu", "threads"};
 
-enum class Look : std::uint8_t { model, impostor };
+/// Automatic: the model, or simple where a CPU draws.
+enum class Look : std::uint8_t { automatic, model, impostor, simple };
+/// What an automatic look is, where a CPU draws (`software`) or a GPU.
+constexpr Look drawn_look(Look look, bool software) {
+    return look != Look::automatic ? look : software ? Look::simple : Look::model;
+}
 enum class BallColour : std::uint8_t { tinted, plain, speed, cell, slot, contacts, radius, difference };
 inline constexpr std::size_t ball_colours = 8;
 /// Whether the colour is a number that is read back and worked out first.
@@ -26,7 +31,7 @@ struct MicroscopeOptions {
 };
 
 struct ViewOptions {
-    Look look = Look::model;
+    Look look = Look::automatic;
     BallColour colour = BallColour::tinted;
     bool box = true;
     bool ground = true;

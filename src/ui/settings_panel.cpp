@@ -25,6 +25,8 @@ const char* backend_text(BackendChoice choice) {
             return "GPU";
         case BackendChoice::cpu:
             return "CPU mirror";
+        case BackendChoice::threads:
+            return "CPU threads";
         case BackendChoice::automatic:
             break;
     }
@@ -34,15 +36,18 @@ const char* backend_text(BackendChoice choice) {
 std::string backend_preview(const State& state) {
     std::string shown = backend_text(state.backend);
     if (state.backend == BackendChoice::automatic) {
-        shown += state.backend_name == "gpu" ? ": GPU" : ": CPU mirror";
+        shown += ": " + std::string(computer_text(state.backend_name));
     }
     return shown;
 }
 
 void backend_row(const State& state, Commands& commands) {
     const float button = ImGui::GetFrameHeight();
-    row_label("Backend", "What computes the balls: the GPU, or the same stages one after the other on the CPU.",
-              button + ImGui::GetStyle().ItemInnerSpacing.x);
+    row_label(
+        "Backend",
+        "What computes the balls: the GPU; the same stages one after the other on the CPU; or the same sums on all "
+        "processors, sooner. Without a GPU, auto takes the last.",
+        button + ImGui::GetStyle().ItemInnerSpacing.x);
     if (!ImGui::BeginCombo("##backend", backend_preview(state).c_str())) {
         return;
     }
@@ -53,8 +58,9 @@ void backend_row(const State& state, Commands& commands) {
         const auto choice = static_cast<BackendChoice>(i);
         const bool usable = choice != BackendChoice::gpu || state.gpu_usable;
         const auto flags = usable ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-        if (ImGui::Selectable(usable ? backend_text(choice) : "GPU (needs OpenGL 4.3)", choice == state.backend,
-                              flags)) {
+        const bool slow_gpu = choice == BackendChoice::gpu && state.software;
+        const char* const text = usable && slow_gpu ? "GPU (a CPU stands in: slower)" : backend_text(choice);
+        if (ImGui::Selectable(usable ? text : "GPU (needs OpenGL 4.3)", choice == state.backend, flags)) {
             commands.push_back(ChooseBackend{choice});
         }
     }

@@ -60,8 +60,9 @@ struct State {
     std::uint32_t overlapping = 0;             // balls that found no free place at the start
 
     BackendChoice backend = BackendChoice::automatic;
+    bool software = false;  // a CPU draws: where there is no GPU
     bool gpu_usable = true;
-    std::string_view backend_name;  // of the one that computes: "gpu" or "cpu"
+    std::string_view backend_name;  // of the one that computes: "gpu", "cpu" or "threads"
     std::string_view device;
 
     ViewOptions view;

@@ -1,5 +1,6 @@
 // What is drawn, and how large the text is.
 #include <array>
+#include <utility>
 
 #include "ui/panels.h"
 #include "ui/style.h"
@@ -13,17 +14,23 @@ constexpr std::array<const char*, ball_colours> colour_names = {
     "a tint for each ball",    "texture only", "speed", "grid cell", "slot", "contacts", "radius",
     "difference to the mirror"};
 
-bool look_row(ViewOptions& view) {
-    row_label("Look", "A model of triangles, or a sphere found by ray in each pixel: cheaper for many balls.");
+// Until one is chosen, the one shown as chosen is that which is drawn.
+bool look_row(const State& state, ViewOptions& view) {
+    row_label(
+        "Look",
+        "A model of triangles; a sphere found by ray in each pixel: cheaper for many balls; or that in two colours, "
+        "without shadows, on a plain ground: for a CPU that draws.");
+    constexpr std::array<std::pair<Look, const char*>, 3> looks = {
+        {{Look::model, "model"}, {Look::impostor, "impostor"}, {Look::simple, "simple"}}};
     bool changed = false;
-    if (ImGui::RadioButton("model", view.look == Look::model)) {
-        view.look = Look::model;
-        changed = true;
-    }
-    ImGui::SameLine();
-    if (ImGui::RadioButton("impostor", view.look == Look::impostor)) {
-        view.look = Look::impostor;
-        changed = true;
+    for (const auto& [look, name] : looks) {
+        if (look != looks.front().first) {
+            ImGui::SameLine(0.0f, 0.5f * ImGui::GetStyle().ItemInnerSpacing.x);  // three just fit
+        }
+        if (ImGui::RadioButton(name, drawn_look(view.look, state.software) == look)) {
+            view.look = look;
+            changed = true;
+        }
     }
     return changed;
 }
@@ -82,7 +89,7 @@ void view_panel(const State& state, Commands& commands) {
         return;
     }
     ViewOptions view = state.view;
-    bool changed = look_row(view);
+    bool changed = look_row(state, view);
     changed |= colour_row(state, view);
     changed |= toggles(view);
     if (changed) {

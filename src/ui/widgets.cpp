@@ -88,6 +88,10 @@ void tooltip(std::string_view words) {
     ImGui::EndTooltip();
 }
 
+std::string_view computer_text(std::string_view backend_name) {
+    return backend_name == "gpu" ? "GPU" : backend_name == "threads" ? "CPU threads" : "CPU mirror";
+}
+
 std::string grouped(unsigned long long number) {
     std::string digits = std::to_string(number);
     for (std::size_t left = digits.size(); left > 3;) {

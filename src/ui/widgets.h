@@ -28,6 +28,9 @@ bool section(const char* title, bool open);
 /// `right` pixels. `about` shows while the pointer rests on the label.
 void row_label(std::string_view label, std::string_view about, float right = 0.0f);
 
+/// What computes, as a user knows it; by the backend's name.
+std::string_view computer_text(std::string_view backend_name);
+
 /// Shown while the pointer rests on the item before.
 void tooltip(std::string_view words);
 

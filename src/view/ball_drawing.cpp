@@ -68,7 +68,8 @@ BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model
       shadow_programs_(shader_folder, "ball_shadow"),
       contact_programs_(shader_folder, "ball_contact"),
       arrow_programs_(shader_folder, "arrow"),
-      far_balls_(shader_folder) {
+      far_balls_(shader_folder),
+      simple_balls_(shader_folder) {
     constexpr std::array<glm::vec2, square_corners> corners = {glm::vec2(-1.0f, -1.0f), glm::vec2(1.0f, -1.0f),
                                                                glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, 1.0f)};
     square_ = static_buffer("square", std::span<const glm::vec2>(corners));
@@ -212,12 +213,17 @@ void BallDrawing::draw_ghosts(const Picture& picture) {
 
 void BallDrawing::draw_look(const Picture& picture, bool ghosts) {
     const auto balls = static_cast<GLsizei>(picture.ball_count);
+    if (!faded_ && simple_balls_.can_draw(picture)) {
+        use_surface(simple_balls_.use(picture, shows_values(picture)), meshes_.front().surfaces.front());
+        simple_balls_.draw(picture);
+        return;
+    }
     if (!faded_ && all_far(picture)) {
         use_surface(far_balls_.use(picture, shows_values(picture)), meshes_.front().surfaces.front());
         far_balls_.draw(picture);
         return;
     }
-    if (picture.look == Look::impostor) {
+    if (picture.look != Look::model) {  // simple from near by: points have a largest size
         point_at_balls(square_array_, picture);
         const gl::Program& program = use(impostor_programs_, picture, ghosts);
         use_surface(program, meshes_.front().surfaces.front());

@@ -13,6 +13,7 @@
 #include "view/far_balls.h"
 #include "view/model.h"
 #include "view/picture.h"
+#include "view/simple_balls.h"
 
 namespace ballpit::view {
 
@@ -81,6 +82,7 @@ private:
     Programs contact_programs_;
     Programs arrow_programs_;
     FarBalls far_balls_;
+    SimpleBalls simple_balls_;
     std::vector<Mesh> meshes_;  // fine, then the coarser one if there is one
     gl::VertexArray square_array_;
     gl::Buffer square_;

@@ -84,7 +84,7 @@ void fill_light(layout::FrameParams& frame, const Picture& picture) {
     // Where the largest balls are smaller than a pixel of the shadow map, shadows would be noise.
     const bool fine_enough =
         0.25f * static_cast<float>(shadow_map_size * picture.grid.cell_width) > frame.light_distance;
-    const bool shadows = picture.show_shadows && fine_enough && !all_far(picture);
+    const bool shadows = picture.show_shadows && picture.look != Look::simple && fine_enough && !all_far(picture);
     frame.shadow_range = shadows ? frame.light_distance + glm::length(picture.half_extent) : 0.0f;
     frame.marker_radius = 0.045f * glm::length(picture.half_extent);
 }

@@ -15,6 +15,7 @@ namespace ballpit::view {
 enum class Look : std::uint8_t {
     model,     // the OBJ model, an instance a ball
     impostor,  // a square a ball, its sphere found by ray: cheaper where triangles are dear
+    simple,    // a point a ball, its sphere found by ray, in one colour; no shadows, a plain ground: where a CPU draws
 };
 
 enum class BallColour : std::uint8_t {
@@ -31,6 +32,9 @@ struct Picture {
     const gl::Buffer* positions = nullptr;   // vec4 a ball: centre (m), radius (m); null only without balls
     const gl::Buffer* velocities = nullptr;  // vec4 a ball: velocity (m/s), mass (kg); may be null
     std::uint32_t ball_count = 0;
+    // std::uint32_t a ball: its number, in the order in which balls are best drawn; may be null. Only the simple look
+    // asks.
+    const gl::Buffer* order = nullptr;
     const gl::Buffer* cell_ranges = nullptr;  // CellRange a cell of `grid`; may be null
     Grid grid;
     Box box{vec3(-10.0f), vec3(10.0f)};  // m, where it stands
@@ -44,7 +48,7 @@ struct Picture {
     bool show_box = true;
     bool show_ground = true;
     bool show_light = true;
-    bool show_shadows = true;     // some ms more where a CPU draws
+    bool show_shadows = true;     // none in the simple look
     bool show_cells = false;      // occupied cells, coloured by count
     std::uint32_t top_count = 8;  // balls in a cell that get the sequential palette's last colour
 

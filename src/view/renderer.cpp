@@ -37,11 +37,12 @@ struct Renderer::Parts {
         glScissor(picture.x, picture.y, picture.width, picture.height);
         glEnable(GL_SCISSOR_TEST);
         glClear(GL_DEPTH_BUFFER_BIT);
+        const bool simple = picture.look == Look::simple;
         shadow_map.bind(unit_shadow_map);
-        surroundings.draw_background();
+        surroundings.draw_background(simple);
         if (picture.show_ground) {
-            surroundings.draw_ground();
-            if (picture.ball_count != 0 && picture.camera.position.z > picture.box.low.z) {
+            surroundings.draw_ground(simple);
+            if (!simple && picture.ball_count != 0 && picture.camera.position.z > picture.box.low.z) {
                 balls.draw_contacts(picture);
             }
         }

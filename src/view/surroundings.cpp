@@ -12,19 +12,21 @@ constexpr GLsizei edges_of_a_box = 12;
 
 Surroundings::Surroundings(const std::filesystem::path& shader_folder)
     : background_(load_view_program(shader_folder, "background")),
+      simple_background_(load_view_program(shader_folder, "background", {"SIMPLE"})),
       ground_(load_view_program(shader_folder, "ground")),
+      simple_ground_(load_view_program(shader_folder, "ground", {"SIMPLE"})),
       box_(load_view_program(shader_folder, "box")),
       light_marker_(load_view_program(shader_folder, "light_marker")) {}
 
-void Surroundings::draw_background() const {
-    background_.use();
+void Surroundings::draw_background(bool simple) const {
+    (simple ? simple_background_ : background_).use();
     no_attributes_.bind();
     glDisable(GL_DEPTH_TEST);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Surroundings::draw_ground() const {
-    ground_.use();
+void Surroundings::draw_ground(bool simple) const {
+    (simple ? simple_ground_ : ground_).use();
     no_attributes_.bind();
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);  // from below, the ground would hide the balls

@@ -13,14 +13,17 @@ class Surroundings {
 public:
     explicit Surroundings(const std::filesystem::path& shader_folder);
 
-    void draw_background() const;
-    void draw_ground() const;
+    /// `simple`: at least cost, for a CPU that draws.
+    void draw_background(bool simple) const;
+    void draw_ground(bool simple) const;
     void draw_box() const;
     void draw_light_marker() const;
 
 private:
     gl::Program background_;
+    gl::Program simple_background_;
     gl::Program ground_;
+    gl::Program simple_ground_;
     gl::Program box_;
     gl::Program light_marker_;
     gl::VertexArray no_attributes_;

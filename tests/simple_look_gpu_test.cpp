@@ -1,0 +1,121 @@
+// The look for a CPU that draws: what it shows, in which order, and what it leaves out.
+#include <algorithm>
+
+#include "support/gl_fixture.h"
+#include "support/studio.h"
+#include "view/depth_order.h"
+
+using namespace ballpit;
+using namespace ballpit::test;
+
+namespace {
+
+// Two balls that touch, one behind the other, and one beside them.
+const std::vector<vec4> three = {vec4(0, 0.4f, 0, 0.3f), vec4(0, -0.2f, 0, 0.3f), vec4(0.7f, 0, 0, 0.2f)};
+
+}  // namespace
+
+TEST_CASE_METHOD(test::GlFixture, "the order of drawing changes no pixel of the simple look", "[view]") {
+    Studio studio;
+    studio.picture.look = Look::simple;
+    studio.set_balls(three);
+    const Pixels any = studio.draw();
+    for (const std::vector<std::uint32_t>& order :
+         {std::vector<std::uint32_t>{2, 1, 0}, nearest_first(three, studio.picture.camera)}) {
+        const gl::Buffer buffer = buffer_of(order);
+        studio.picture.order = &buffer;
+        CHECK(count(changed(any, studio.draw())) == 0);
+    }
+}
+
+TEST_CASE_METHOD(test::GlFixture, "a simple ball covers exactly the pixels whose rays meet it", "[view]") {
+    Studio studio;
+    studio.picture.look = Look::simple;
+    const Pixels empty = studio.draw();
+    const Camera camera = studio.picture.camera;
+    for (const vec4& ball : {vec4(0, 0, 0, 0.9f), vec4(2.0f * right(camera), 0.4f), vec4(1.5f * up(camera), 0.3f)}) {
+        CAPTURE(ball.x, ball.y, ball.z, ball.w);
+        studio.set_balls({ball});
+        const std::vector<bool> expected = cast_rays(camera, ball);
+        REQUIRE(count(expected) > 100);
+        CHECK(differences(changed(empty, studio.draw()), expected) <= 4);
+    }
+}
+
+TEST_CASE_METHOD(test::GlFixture, "the nearer simple ball hides the farther one, in either order", "[view]") {
+    Studio studio;
+    studio.picture.look = Look::simple;
+    studio.picture.ball_colour = BallColour::speed;
+    studio.picture.top_speed = 1.0f;
+    const vec3 towards_eye = -forward(studio.picture.camera);
+    const vec4 near_ball{0.5f * towards_eye, 0.3f};
+    const vec4 far_ball{-0.5f * towards_eye, 0.5f};
+    studio.set_balls({near_ball, far_ball}, {vec4(0, 0, 1, 1), vec4(0)});
+    const vec3 fast = pixel_at(studio.draw(), studio.picture, vec3(0.0f));
+    CHECK(fast.x > fast.z);  // yellow
+    studio.set_balls({far_ball, near_ball}, {vec4(0, 0, 1, 1), vec4(0)});
+    const vec3 slow = pixel_at(studio.draw(), studio.picture, vec3(0.0f));
+    CHECK(slow.z > slow.x);  // blue
+}
+
+TEST_CASE_METHOD(test::GlFixture, "balls of the simple look that reach into the picture are drawn", "[view]") {
+    Studio studio;
+    studio.picture.look = Look::simple;
+    const Pixels empty = studio.draw();
+    const Camera camera = studio.picture.camera;
+    for (float beside = 0.0f; beside < 4.0f; beside += 0.25f) {
+        for (const vec3& way : {right(camera), -right(camera), up(camera), -up(camera)}) {
+            const vec4 ball(beside * way, 0.25f);
+            studio.set_balls({ball});
+            CAPTURE(beside, way.x, way.y, way.z);
+            CHECK(differences(changed(empty, studio.draw()), cast_rays(camera, ball)) <= 4);
+        }
+    }
+}
+
+TEST_CASE_METHOD(test::GlFixture, "from near by, simple balls are drawn all the same", "[view]") {
+    Studio studio;
+    studio.picture.look = Look::simple;
+    const Pixels empty = studio.draw();
+    Camera camera = studio.picture.camera;
+    camera.position = -0.9f * forward(camera);
+    studio.picture.camera = camera;
+    const vec4 ball(0, 0, 0, 0.5f);
+    studio.set_balls({ball});
+    CHECK(differences(changed(empty, studio.draw()), cast_rays(camera, ball)) <= 8);
+}
+
+TEST_CASE_METHOD(test::GlFixture, "the simple look throws no shadows", "[view]") {
+    Studio studio;
+    studio.picture.look = Look::simple;
+    studio.picture.show_ground = true;
+    studio.set_balls({vec4(0, 0, 0.5f, 0.2f)});
+    studio.picture.show_shadows = true;
+    const Pixels with = studio.draw();
+    studio.picture.show_shadows = false;
+    CHECK(count(changed(with, studio.draw())) == 0);
+}
+
+TEST_CASE("balls come from near to far, each once", "[view]") {
+    Camera camera;
+    camera.position = {0, -5, 0};
+    camera.yaw = 0.5f * half_turn;
+    std::vector<vec4> balls;
+    for (int i = 0; i < 500; ++i) {
+        balls.emplace_back(0.01f * static_cast<float>(i % 7), static_cast<float>((i * 37) % 500), 0.0f, 0.1f);
+    }
+    balls[10].y = not_a_number;
+    const std::vector<std::uint32_t> order = nearest_first(balls, camera);
+    std::vector<std::uint32_t> sorted = order;
+    std::ranges::sort(sorted);
+    for (std::uint32_t i = 0; i < sorted.size(); ++i) {
+        REQUIRE(sorted[i] == i);
+    }
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        const float before = balls[order[i - 1]].y;
+        const float after = balls[order[i]].y;
+        CHECK((before <= after || std::isnan(before) || std::isnan(after)));
+    }
+    CHECK(nearest_first({}, camera).empty());
+    CHECK(nearest_first(std::vector<vec4>(3, vec4(1.0f)), camera).size() == 3);
+}
