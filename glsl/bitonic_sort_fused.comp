@@ -1,9 +1,10 @@
 #version 430 core
-// The passes whose pairs stay inside a tile (j < SORT_TILE_SIZE), one after the other in shared memory:
-// one work group a tile, one barrier a pass instead of one dispatch a pass.
+// The passes whose pairs stay inside a tile (j < SORT_TILE_SIZE), one after the other in shared memory: one work group
+// a tile. A thread takes eight keys through up to three passes at a time, so there is a barrier for three passes.
 // dispatch_constants: first k, last k, j of the first pass.
 #include "shared/dispatch.glsl"
 #include "shared/keys.glsl"
+#include "shared/exchange.glsl"
 
 layout(local_size_x = SORT_GROUP_SIZE) in;
 
@@ -11,32 +12,36 @@ layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock { uint key_count; } p
 
 shared Key tile[SORT_TILE_SIZE];
 
-void compare_exchange(uint pair, uint first_slot, uint k, uint j) {
-    uint lower = ((pair & ~(j - 1u)) << 1) | (pair & (j - 1u));
-    uint upper = lower | j;
-    bool ascending = ((first_slot + lower) & k) == 0u;
-    Key a = tile[lower];
-    Key b = tile[upper];
-    if (key_less(b, a) == ascending) {
-        tile[lower] = b;
-        tile[upper] = a;
+// Where a slot of the tile lies in shared memory: threads next to each other would otherwise ask the same bank.
+uint place_of(uint slot) { return slot ^ (slot >> 4u & 15u); }
+
+void exchange_in_tile(uint first_slot, uint k, uint j, uint passes) {
+    uint stride = j >> (passes - 1u);
+    uint first = first_of_eight(gl_LocalInvocationIndex, stride);
+    Key own[STRIDE_KEYS];
+    for (uint i = 0u; i < STRIDE_KEYS; ++i) {
+        own[i] = tile[place_of(first + i * stride)];
+    }
+    exchange_eight(own, first_slot + first, stride, k, passes);
+    for (uint i = 0u; i < STRIDE_KEYS; ++i) {
+        tile[place_of(first + i * stride)] = own[i];
     }
 }
 
 void main() {
-    uint first_slot = (gl_WorkGroupID.y * FOLDED_WIDTH + gl_WorkGroupID.x) * SORT_TILE_SIZE;
+    uint first_slot = group_index() * SORT_TILE_SIZE;
     // Fewer keys than a tile: the rest of the tile takes part as sentinels and is not written back.
     for (uint i = gl_LocalInvocationIndex; i < SORT_TILE_SIZE; i += SORT_GROUP_SIZE) {
-        tile[i] = first_slot + i < params.key_count ? keys[first_slot + i] : Key(SENTINEL, SENTINEL);
+        tile[place_of(i)] = first_slot + i < params.key_count ? keys[first_slot + i] : Key(SENTINEL, SENTINEL);
     }
     uint j = dispatch_constants.z;
     for (uint k = dispatch_constants.x; k <= dispatch_constants.y; k *= 2u) {
-        for (; j > 0u; j /= 2u) {
+        while (j > 0u) {
+            uint passes = min(uint(findMSB(j)) + 1u, 3u);
             memoryBarrierShared();
             barrier();
-            for (uint pair = gl_LocalInvocationIndex; pair < SORT_TILE_SIZE / 2; pair += SORT_GROUP_SIZE) {
-                compare_exchange(pair, first_slot, k, j);
-            }
+            exchange_in_tile(first_slot, k, j, passes);
+            j >>= passes;
         }
         j = k;
     }
@@ -44,6 +49,6 @@ void main() {
     barrier();
     for (uint i = gl_LocalInvocationIndex; i < SORT_TILE_SIZE && first_slot + i < params.key_count;
          i += SORT_GROUP_SIZE) {
-        keys[first_slot + i] = tile[i];
+        keys[first_slot + i] = tile[place_of(i)];
     }
 }

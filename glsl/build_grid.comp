@@ -5,6 +5,7 @@
 #include "shared/status.glsl"
 #endif
 #include "shared/keys.glsl"
+#include "shared/used_tiles.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -30,6 +31,7 @@ void main() {
     }
     if (slot == 0u || keys[slot - 1u].cell_id != cell) {
         cell_ranges[cell].first = slot;
+        mark_tile(cell);
     }
     if (slot + 1u == params.ball_count || keys[slot + 1u].cell_id != cell) {
         cell_ranges[cell].end = slot + 1u;

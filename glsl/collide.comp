@@ -1,5 +1,5 @@
 #version 430 core
-// One thread a ball: contact forces of the balls in 3 x 3 x 3 cells and of the walls, gravity, drag, and the
+// One thread a ball, or with SORTED_COPIES one a slot: contact forces of the balls in 3 x 3 x 3 cells and of the walls, gravity, drag, and the
 // integrator. Where balls touch each other the result goes into the other state buffer, so that every thread reads
 // only the old state: no race, no order. Where they do not, each thread has its ball to itself and works in place.
 // `precise` keeps the compiler from contracting and reordering, so that the mirror can agree bit for bit.
@@ -94,11 +94,13 @@ layout(std430, binding = SLOT_VELOCITIES) buffer VelocitiesBlock { vec4 velociti
 #endif
 #include "shared/contact_ball.glsl"
 #ifdef LAW_CONTACT
+#ifndef NEIGHBOURS_BRUTE_FORCE
+#include "shared/keys.glsl"
+#endif
 #include "shared/pair.glsl"
 #ifdef NEIGHBOURS_BRUTE_FORCE
 #include "shared/brute_force.glsl"
 #else
-#include "shared/keys.glsl"
 #include "shared/cells.glsl"
 #include "shared/neighbours.glsl"
 #endif
@@ -217,15 +219,23 @@ void count_speed(vec3 way, float radius) {
 
 void main() {
 #ifdef LAW_CONTACT
-    uint id = sliced_index();
+    uint place = sliced_index();   // of the ball, in `positions` and `velocities`
 #else
-    uint id = global_index();
+    uint place = global_index();
 #endif
+    if (place >= params.ball_count) {
+        return;
+    }
+#ifdef SORTED_COPIES
+    uint id = keys[place].ball_id;
     if (id >= params.ball_count) {
         return;
     }
-    vec4 position = positions[id];
-    vec4 velocity = velocities[id];
+#else
+    uint id = place;
+#endif
+    vec4 position = positions[place];
+    vec4 velocity = velocities[place];
 #ifdef QUARANTINE
     if (position.w < 0.0) {
 #ifdef LAW_CONTACT
@@ -236,6 +246,9 @@ void main() {
     }
 #endif
     Ball ball = make_ball(id, position, velocity);
+#ifdef SORTED_COPIES
+    ball.place = place;
+#endif
     vec3 left_of_x = vec3(0.0);
     vec3 left_of_v = vec3(0.0);
 #ifdef LAW_COMPENSATED

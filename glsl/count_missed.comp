@@ -1,7 +1,8 @@
 #version 430 core
 // One thread a ball, where a grid is used by several substeps: a new grid has been built, and tells what the one before
 // it would not show any more. collide looks for balls around the place where a ball is now, and finds them in the cells
-// where they were when the grid was built.
+// where they were when the grid was built. So nobody misses a ball that is still in the cell where it was; around any
+// other one its thread asks who touches it, and from where they would look.
 #include "shared/dispatch.glsl"
 #include "shared/status.glsl"
 
@@ -24,6 +25,7 @@ struct Ball {
     uint id;
     vec3 position;
     float radius;
+    uvec3 built_cell;            // where the grid before has it
 };
 
 struct Missed {
@@ -55,7 +57,7 @@ void add_pair(Ball a, uint other, inout Missed missed) {
     precise float reach = a.radius + radius_of(position);
     precise float reach_squared = reach * reach;
     if (position.w > 0.0 && length_squared(offset) < reach_squared &&
-        !are_adjacent(cell_coordinates(a.position), cell_coordinates(built_positions[other].xyz))) {
+        !are_adjacent(cell_coordinates(position.xyz), a.built_cell)) {
         ++missed.count;
     }
 }
@@ -76,8 +78,9 @@ void main() {
         float way_squared = length_squared(way);
         atomicMax(farthest, floatBitsToUint(isnan(way_squared) ? 0.0 : way_squared));   // in order, as none is negative
         Missed missed = Missed(0u);
-        if (position.w > 0.0) {   // those in quarantine touch nobody
-            add_neighbours(Ball(id, position.xyz, radius_of(position)), missed);
+        uvec3 built_cell = cell_coordinates(built_positions[id].xyz);
+        if (position.w > 0.0 && built_cell != cell_coordinates(position.xyz)) {   // those in quarantine touch nobody
+            add_neighbours(Ball(id, position.xyz, radius_of(position), built_cell), missed);
         }
         if (missed.count > 0u) {
             atomicOr(status.bits, STATUS_MISSED);

@@ -22,8 +22,11 @@ TEST_CASE("one ball has a range of one slot", "[mirror]") {
     // The trap: `end` not written for a single ball.
     std::vector<CellRange> ranges(3, CellRange{9, 9});
     Status status{};
-    cpu::clear_cells(ranges);
-    cpu::build_grid(std::vector<Key>{{1, 0}}, ranges, status);
+    std::vector<std::uint32_t> used = {1};
+    cpu::clear_cells(ranges, used);
+    CHECK(used.front() == 0);
+    cpu::build_grid(std::vector<Key>{{1, 0}}, ranges, used, status);
+    CHECK(used.front() == 1);
     CHECK((ranges[0] == CellRange{0, 0}));
     CHECK((ranges[1] == CellRange{0, 1}));
     CHECK((ranges[2] == CellRange{0, 0}));

@@ -15,7 +15,7 @@ using test::GlFixture;
 
 namespace {
 
-constexpr std::array sorts = {SortMethod::bitonic, SortMethod::bitonic_fused};
+constexpr std::array sorts = {SortMethod::bitonic, SortMethod::bitonic_fused, SortMethod::counting};
 
 void expect_agreement(const measure::CheckReport& report, bool bitwise) {
     for (const measure::CheckRow& row : report.rows) {

@@ -28,7 +28,7 @@ constexpr std::array goldens = {
     Golden{"elastic_gas", 40, 0x89F10239016937C1},
     Golden{"free_fall", 3, 0x2531E98812948A8A},
     Golden{"historical", 15, 0x560B2E8465303CE0},
-    Golden{"hot_corner", 15, 0x54CB4D9DA40DD04C},
+    Golden{"hot_corner", 15, 0xDD302252D017357A},
     Golden{"kicked_chain", 60, 0x68EF14D55FCB59F5},
     Golden{"mixed_sizes", 20, 0xEB3ABE13CED03494},
     Golden{"newtons_cradle", 120, 0x19760AB97886E5C6},

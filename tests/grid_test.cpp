@@ -40,7 +40,7 @@ TEST_CASE("a box of very many cells gets wider ones, never more than the table h
         CHECK(grid.cell_width >= 2e-4 * 0.25);
     }
     CHECK(maximum_cells(0) > 0);
-    CHECK(maximum_cells(4194304) <= 1u << 24);
+    CHECK(maximum_cells(4194304) <= 1u << 26);
 }
 
 TEST_CASE("no balls and no size still make a grid", "[core]") {

@@ -64,9 +64,10 @@ TEST_CASE("an elastic gas has no dashpot, no gravity and no drag", "[ledger]") {
 
 TEST_CASE("a dispatch waits where it uses what an earlier one has written, and nowhere else", "[ledger]") {
     // assign_cells waits for the state, the sort for the keys, build_grid for keys and cleared cells, collide for the
-    // ranges. clear_cells need not: an earlier barrier already covers the collide that read the cells.
+    // ranges and the copies. clear_cells need not, because an earlier barrier already covers the collide that read the
+    // cells; nor gather, because build_grid has waited for the keys.
     const Schedule fused = schedule_of(test::mono_pile_scene(500));
-    REQUIRE(fused.dispatches.size() == 5);
+    REQUIRE(fused.dispatches.size() == 6);
     CHECK(count_barriers(fused).before == 1);
     CHECK(count_barriers(fused).within == 3);
     Scene scene = test::mono_pile_scene(500);

@@ -28,9 +28,10 @@ std::set<std::uint32_t> all_features() {
         }
         for (std::size_t integrator = 0; integrator < integrator_names.size(); ++integrator) {
             settings.integrator = static_cast<Integrator>(integrator);
-            for (unsigned choice = 0; choice < 8; ++choice) {
+            for (unsigned choice = 0; choice < 16; ++choice) {
                 settings.limit_force = (choice & 1u) != 0;
                 settings.neighbours = (choice & 2u) != 0 ? NeighbourSearch::brute_force : NeighbourSearch::grid;
+                settings.sorted_copies = (choice & 8u) != 0;
                 settings.balls = 1;
                 settings.pull = (choice & 4u) != 0 ? std::optional(Pull{}) : std::nullopt;
                 all.insert(features_of(settings, {}, settings.laws.shake).bits);
@@ -53,7 +54,7 @@ std::set<Program> all_programs() {
                 news |= seen.insert({a * feature_defines.size() + b, values}).second;
             }
         }
-        for (const SortMethod sort : {SortMethod::bitonic, SortMethod::bitonic_fused}) {
+        for (const SortMethod sort : {SortMethod::bitonic, SortMethod::bitonic_fused, SortMethod::counting}) {
             for (const Dispatch& dispatch : make_schedule(5000, grid, Features{bits}, sort).dispatches) {
                 if (news || dispatch.program.shader != Shader::collide) {
                     programs.insert(dispatch.program);

@@ -125,9 +125,10 @@ TEST_CASE("every bad value is refused in one sentence", "[core]") {
         Refusal{R"("reference_count": 10)", R"("wall_speed": 0)",
                 "s.json, /box/wall_speed: expected a number from 0.001 to 100 m/s, found 0"},
         Refusal{R"("time": {)", R"("compute": { "sort": "quick" }, "time": {)",
-                R"(s.json, /compute/sort: expected one of bitonic, bitonic_fused, found "quick")"},
+                R"(s.json, /compute/sort: expected one of bitonic, bitonic_fused, counting, auto, found "quick")"},
         Refusal{R"("time": {)", R"("compute": { "neighbors": "grid" }, "time": {)",
-                "s.json, /compute: expected no other keys than sort, cell_factor, grid_reuse, neighbours, found "
+                "s.json, /compute: expected no other keys than sort, cell_factor, grid_reuse, neighbours, "
+                "sorted_copies, found "
                 "'neighbors'"},
         Refusal{R"("time": {)", R"("bounds": { "overlap": 1 }, "time": {)",
                 "s.json, /bounds: expected a key 'speed', found none"},

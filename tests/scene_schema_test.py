@@ -34,7 +34,7 @@ EVERYTHING = {
     "laws": {"gravity": ORIGIN, "drag": 0.1, "contact": SPRING, "walls": True,
              "shake": {"amplitude": ORIGIN, "frequency": 1}, "diagnostics": True, "compensated": True},
     "time": {"dt": 0.01, "substeps": 2, "integrator": "leapfrog"},
-    "compute": {"sort": "bitonic", "cell_factor": 1, "grid_reuse": 1, "neighbours": "grid"},
+    "compute": {"sort": "bitonic", "cell_factor": 1, "grid_reuse": 1, "neighbours": "grid", "sorted_copies": True},
     "balls": [BALL],
     "fill": {"count": 2, "radius": [0.1, 0.1], "density": 1, "speed": 1, "region": [ORIGIN, ORIGIN], "seed": 1},
     "bounds": {"speed": 1, "overlap": 1, "outside": 1},

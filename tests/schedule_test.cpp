@@ -15,7 +15,7 @@ namespace {
 
 using Pass = std::pair<std::uint32_t, std::uint32_t>;  // k, j
 
-constexpr std::array sorts = {SortMethod::bitonic, SortMethod::bitonic_fused};
+constexpr std::array sorts = {SortMethod::bitonic, SortMethod::bitonic_fused, SortMethod::counting};
 
 Schedule schedule_of(std::uint32_t balls, SortMethod sort, bool contact = true) {
     Features features;
@@ -44,6 +44,12 @@ std::vector<Pass> passes_of(const Schedule& schedule) {
     for (const Dispatch& dispatch : schedule.dispatches) {
         if (dispatch.program.shader == Shader::bitonic_sort) {
             passes.emplace_back(dispatch.constants[0], dispatch.constants[1]);
+        } else if (dispatch.program.shader == Shader::bitonic_sort_strides) {
+            for (std::uint32_t pass = 0; pass < dispatch.constants[2]; ++pass) {
+                passes.emplace_back(dispatch.constants[0], dispatch.constants[1] >> pass);
+            }
+            // The eight slots of a thread are there.
+            CHECK(STRIDE_KEYS * (dispatch.constants[1] >> (dispatch.constants[2] - 1)) <= schedule.key_count);
         } else if (dispatch.program.shader == Shader::bitonic_sort_fused) {
             std::uint32_t j = dispatch.constants[2];
             for (std::uint32_t k = dispatch.constants[0]; k <= dispatch.constants[1]; k *= 2) {
@@ -102,8 +108,10 @@ TEST_CASE("dispatches have unique names and stages in order", "[core]") {
 TEST_CASE("every slot is written before it is read", "[core]") {
     for (const std::uint32_t balls : counts()) {
         for (const SortMethod sort : sorts) {
-            // What load() leaves: the state, the status. Keys, ranges and the next state come from the substep.
-            std::set<Slot> known = {Slot::positions, Slot::velocities, Slot::damping_ratios, Slot::status};
+            // What load() leaves: the state, the status, no tile marked. Keys, ranges and the next state come from the
+            // substep.
+            std::set<Slot> known = {Slot::positions, Slot::velocities, Slot::damping_ratios, Slot::status,
+                                    Slot::used_tiles};
             const Schedule schedule = schedule_of(balls, sort);
             for (const Dispatch& dispatch : schedule.dispatches) {
                 CAPTURE(balls, dispatch.name);
@@ -166,12 +174,21 @@ TEST_CASE("every dispatch has a thread for each ball, pair, slot and cell", "[co
                     case Shader::bitonic_sort_fused:
                         CHECK(groups * SORT_TILE_SIZE >= schedule.key_count);
                         break;
+                    case Shader::bitonic_sort_strides:
+                        CHECK(groups * GROUP_SIZE * STRIDE_KEYS >= schedule.key_count);
+                        break;
                     case Shader::clear_cells:
-                        CHECK(groups * GROUP_SIZE >= schedule.cell_count);
+                    case Shader::count_tiles:
+                    case Shader::scan_cells:
+                        CHECK(groups * TILE_CELLS >= schedule.cell_count);
                         break;
                     case Shader::build_grid:
+                    case Shader::count_cells:
+                    case Shader::scatter_keys:
+                    case Shader::order_keys:
                     case Shader::count_missed:
                     case Shader::keep_places:
+                    case Shader::gather:
                     case Shader::collide:
                         CHECK(groups * GROUP_SIZE >= balls);
                         break;

@@ -125,7 +125,8 @@ TEST_CASE("a bad value is refused with key, text and what was expected", "[core]
     CHECK(complaint("integrator", "euler") ==
           "setting 'integrator' cannot be 'euler': expected one of leapfrog, symplectic_euler, velocity_verlet, "
           "forward_euler, historical");
-    CHECK(complaint("sort", "") == "setting 'sort' cannot be '': expected one of bitonic, bitonic_fused");
+    CHECK(complaint("sort", "") ==
+          "setting 'sort' cannot be '': expected one of bitonic, bitonic_fused, counting, auto");
     CHECK(complaint("restitution", "0.01") ==
           "setting 'restitution' cannot be '0.01': expected a number from 0.05 to 1");
     CHECK(complaint("gravty", "1") == "there is no setting 'gravty': `ballpit settings` lists them");

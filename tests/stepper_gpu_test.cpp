@@ -17,7 +17,7 @@ std::unique_ptr<Backend> gpu_backend() { return std::make_unique<gpu::GpuBackend
 
 TEST_CASE_METHOD(GlFixture, "GPU: back in every unit from every dispatch gives the bytes of the way there",
                  "[stepper]") {
-    for (const SortMethod sort : {SortMethod::bitonic, SortMethod::bitonic_fused}) {
+    for (const SortMethod sort : {SortMethod::bitonic, SortMethod::bitonic_fused, SortMethod::counting}) {
         Simulation simulation = stepping_simulation(gpu_backend(), sort);
         check_every_position(simulation);
     }

@@ -27,7 +27,7 @@ Checkpoint checkpoint_of(std::size_t bytes) {
 }  // namespace
 
 TEST_CASE("back in every unit from every dispatch gives the bytes of the way there", "[stepper]") {
-    for (const SortMethod sort : {SortMethod::bitonic, SortMethod::bitonic_fused}) {
+    for (const SortMethod sort : {SortMethod::bitonic, SortMethod::bitonic_fused, SortMethod::counting}) {
         Simulation simulation = stepping_simulation(mirror(), sort);
         check_every_position(simulation);
     }

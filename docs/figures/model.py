@@ -5,7 +5,7 @@ from math import atan2, exp, expm1, floor, log, pi, sqrt
 
 SENTINEL = 0xFFFFFFFF
 GROUP_SIZE = 64
-SORT_TILE_SIZE = 2048
+SORT_TILE_SIZE = 4096
 CELLS = (5, 4)          # along x and y, each 1 m wide
 
 # x (m), y (m), radius (m): the largest diameter is the cell width.
@@ -100,7 +100,7 @@ def overlap(a, b):
 
 
 def schedule(ball_count):
-    """(name, groups, reads, writes) of a substep with contacts and the fused sort."""
+    """(name, groups, reads, writes) of a substep with contacts and the fused sort, of at most two tiles of keys."""
     keys = key_count(ball_count)
 
     def groups(invocations):
@@ -113,9 +113,13 @@ def schedule(ball_count):
         else:
             what = f"k={k} j={j}..1" if k == k_last else f"k={k}..{k_last}"
             rows.append((f"bitonic_sort_fused {what}", max(1, keys // SORT_TILE_SIZE), ["keys"], ["keys"]))
-    rows.append(("clear_cells", None, [], ["cell_ranges"]))
-    rows.append(("build_grid", groups(ball_count), ["keys", "status"], ["cell_ranges", "status"]))
-    rows.append(("collide", groups(ball_count), ["positions", "velocities", "status", "keys", "cell_ranges"],
+    rows.append(("clear_cells", None, ["used_tiles"], ["cell_ranges", "used_tiles"]))
+    rows.append(("build_grid", groups(ball_count), ["keys", "used_tiles", "status"],
+                 ["cell_ranges", "used_tiles", "status"]))
+    rows.append(("gather", groups(ball_count), ["positions", "velocities", "keys"],
+                 ["sorted_positions", "sorted_velocities"]))
+    rows.append(("collide", groups(ball_count),
+                 ["sorted_positions", "sorted_velocities", "status", "keys", "cell_ranges"],
                  ["next_positions", "next_velocities", "status"]))
     return rows
 

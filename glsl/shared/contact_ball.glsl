@@ -1,6 +1,9 @@
 // A ball, as the laws that the scene declares see it. Needs shared/contact.glsl where it has a spring.
 struct Ball {
     uint id;
+#ifdef SORTED_COPIES
+    uint place;                  // its slot
+#endif
     vec3 position;
     vec3 velocity;
 #ifdef LAW_SPRING

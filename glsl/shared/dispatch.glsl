@@ -12,3 +12,6 @@ uint global_index() {
 
 // Where each thread looks at other balls a dispatch could take long: then it is cut into slices of balls.
 uint sliced_index() { return dispatch_constants.w + global_index(); }
+
+// The number of this work group, where each has a tile.
+uint group_index() { return gl_WorkGroupID.y * FOLDED_WIDTH + gl_WorkGroupID.x; }

@@ -7,12 +7,15 @@
 
 #define GROUP_SIZE 64             // threads of a work group, one ball, slot or cell each
 #define SORT_GROUP_SIZE 512       // threads of a work group of the fused sort
-#define SORT_TILE_SIZE 2048       // keys a work group sorts in shared memory (8 B each: 16 KiB of the 32 KiB)
+#define SORT_TILE_SIZE 4096       // keys a work group sorts in shared memory: eight a thread, 8 B each, 32 KiB in all
+#define STRIDE_KEYS 8             // keys that three passes connect: a thread takes them through all three
+#define TILE_GROUP_SIZE 256       // threads of a work group that goes through a tile of the cell table
+#define TILE_CELLS 4096           // cells of a tile
 #define FOLDED_WIDTH 32768        // groups of a row, where a dispatch has more than the 65535 that GL guarantees
 
 #define SENTINEL 0xFFFFFFFFu      // cell id and ball id of the keys that pad to a power of two: they sort last
 
-// Slots: the binding of each buffer. GL 4.3 guarantees the first eight of them to a compute shader, and eight at a time;
+// Slots: the binding of each buffer, up to the tenth. GL 4.3 guarantees the first eight of them to a compute shader, and eight at a time;
 // core/storage_limits.h refuses what a device has no room for.
 #define SLOT_POSITIONS 0          // vec4 a ball: centre (m), radius (m)
 #define SLOT_VELOCITIES 1         // vec4 a ball: velocity (m/s), mass (kg)
@@ -24,7 +27,22 @@
 #define SLOT_NEXT_VELOCITIES 7    // as SLOT_VELOCITIES, written by collide
 #define SLOT_COMPENSATIONS 8      // Compensation a ball, only where sums are compensated
 #define SLOT_BUILT_POSITIONS 9    // as SLOT_POSITIONS, when the grid was built; only where a grid is used more than once
-#define SLOT_COUNT 10
+#define SLOT_SORTED_POSITIONS 10  // as SLOT_POSITIONS, in the order of the sorted keys
+#define SLOT_SORTED_VELOCITIES 11 // as SLOT_VELOCITIES, the same
+#define SLOT_USED_TILES 12        // uint a tile of the cell table: 1 where one of its cells has been written to
+#define SLOT_TICKETS 13           // uint a ball: how many balls have been counted into its cell before it
+#define SLOT_SCATTERED_KEYS 14    // Key a slot: in the slots of its cell, in any order
+#define SLOT_TILE_COUNTS 15       // uint a tile: balls in its cells
+#define SLOT_COUNT 16
+
+// Slots from 10 on take the binding of a slot that the same shader does not use: core/schedule.h has them as
+// binding_of(). collide finds the sorted copies where it otherwise finds the state.
+#define BINDING_GATHERED_POSITIONS SLOT_NEXT_POSITIONS
+#define BINDING_GATHERED_VELOCITIES SLOT_NEXT_VELOCITIES
+#define BINDING_USED_TILES SLOT_DAMPING_RATIOS
+#define BINDING_TICKETS SLOT_NEXT_POSITIONS
+#define BINDING_SCATTERED_KEYS SLOT_NEXT_VELOCITIES
+#define BINDING_TILE_COUNTS SLOT_NEXT_POSITIONS
 
 // hash_state is no part of a substep; its ring of results takes the place of a slot that it does not read.
 #define BINDING_HASHES SLOT_KEYS  // HashSum an entry

@@ -1,4 +1,13 @@
-// The contact force of one ball on another.
+// The contact force of one ball on another. `place`: where in `positions` and `velocities` the other one is.
+
+// Its id, which in the sorted copies only its key knows.
+uint ball_at(uint place) {
+#ifdef SORTED_COPIES
+    return keys[place].ball_id;
+#else
+    return place;
+#endif
+}
 
 float ordered_dot(vec3 a, vec3 b) {
     precise float sum = a.x * b.x + a.y * b.y + a.z * b.z;   // dot() may add in any order
@@ -14,9 +23,9 @@ vec3 coincident_direction(uint id, uint other) {
 }
 
 // Of the other ball only the position is read, until it is known to touch; without a dashpot, nothing else at all.
-float pair_force(Ball a, uint other, vec3 normal, float overlap) {
+float pair_force(Ball a, uint place, vec3 normal, float overlap) {
 #ifdef LAW_DASHPOT
-    vec4 velocity = velocities[other];
+    vec4 velocity = velocities[place];
 #ifdef QUARANTINE
     if (!can_be_squared(velocity.xyz)) {
         return 0.0;   // it goes into quarantine in this very substep
@@ -25,15 +34,15 @@ float pair_force(Ball a, uint other, vec3 normal, float overlap) {
     float mass = mass_of(velocity);
     precise float reduced_mass = a.mass * mass / (a.mass + mass);
     precise float speed = ordered_dot(a.velocity - velocity.xyz, normal);
-    return damped_force(overlap, speed, reduced_mass, max(a.damping_ratio, damping_ratio_of(other)));
+    return damped_force(overlap, speed, reduced_mass, max(a.damping_ratio, damping_ratio_of(ball_at(place))));
 #else
     return spring_force(overlap);
 #endif
 }
 
 // A contact, where there is one: its normal, away from the other ball, the overlap (m), and the sum of the radii (m).
-bool touches(Ball a, uint other, out vec3 normal, out float overlap, out float radii) {
-    vec4 position = positions[other];
+bool touches(Ball a, uint place, out vec3 normal, out float overlap, out float radii) {
+    vec4 position = positions[place];
     precise vec3 offset = a.position - position.xyz;
     precise float reach = a.radius + radius_of(position);
     precise float distance_squared = ordered_dot(offset, offset);
@@ -46,13 +55,13 @@ bool touches(Ball a, uint other, out vec3 normal, out float overlap, out float r
 #endif
     if (distance_squared < reach_squared && !held) {   // false for NaN
 #ifdef DIAGNOSTICS
-        if (distance_squared == 0.0 && a.id < other) {
+        if (distance_squared == 0.0 && a.id < ball_at(place)) {
             atomicOr(status.bits, STATUS_COINCIDENT);
             atomicAdd(status.coincident, 1u);
         }
 #endif
         float separation = sqrt(distance_squared);
-        precise vec3 direction = distance_squared > 0.0 ? offset / separation : coincident_direction(a.id, other);
+        precise vec3 direction = distance_squared > 0.0 ? offset / separation : coincident_direction(a.id, ball_at(place));
         precise float depth = reach - separation;
         normal = direction;
         overlap = depth;
@@ -63,12 +72,12 @@ bool touches(Ball a, uint other, out vec3 normal, out float overlap, out float r
     return false;
 }
 
-void add_pair(Ball a, uint other, inout vec3 force) {
+void add_pair(Ball a, uint place, inout vec3 force) {
     vec3 normal;
     float overlap;
     float radii;
-    if (touches(a, other, normal, overlap, radii)) {
-        precise vec3 sum = force + pair_force(a, other, normal, overlap) * normal;
+    if (touches(a, place, normal, overlap, radii)) {
+        precise vec3 sum = force + pair_force(a, place, normal, overlap) * normal;
         force = sum;
     }
 }

@@ -98,7 +98,7 @@ void WindowLaws::tell_of_programs(const Session& session) {
     }
     layout_ = session.layout_changes();
     for (const Dispatch& dispatch : session.simulation().schedule().dispatches) {
-        if (dispatch.stage != Stage::collide) {
+        if (dispatch.program.shader != Shader::collide) {
             continue;  // only there do laws make programs
         }
         const auto* compiled = on_demand(session.programs(), dispatch.program);

@@ -27,12 +27,20 @@ measure::StageNumbers numbers_of(const Inspector& inspector, const ui::SteppingS
                                            copy_of<vec4>(inspector, Slot::positions), box);
         case Shader::bitonic_sort:
         case Shader::bitonic_sort_fused:
+        case Shader::bitonic_sort_strides:
             return measure::sort_numbers(schedule, *dispatch, typed<Key>(inspector.keys_before()));
         case Shader::clear_cells:
             return measure::ClearNumbers{schedule.cell_count};
+        case Shader::count_cells:
+        case Shader::count_tiles:
+            return {};  // the table holds counts, no ranges yet
         case Shader::build_grid:
+        case Shader::scan_cells:
+        case Shader::scatter_keys:
+        case Shader::order_keys:
         case Shader::count_missed:
         case Shader::keep_places:
+        case Shader::gather:
             return measure::build_numbers(copy_of<CellRange>(inspector, Slot::cell_ranges));
         case Shader::collide:
             if (schedule.in_place) {
@@ -60,12 +68,19 @@ void StageNumbersReader::ask(Inspector& inspector, const ui::SteppingState& step
             break;
         case Shader::bitonic_sort:
         case Shader::bitonic_sort_fused:
+        case Shader::bitonic_sort_strides:
             inspector.want(Slot::keys);  // the next pass then finds them as its keys before
             inspector.want_keys_before();
             break;
         case Shader::clear_cells:
+        case Shader::count_cells:
+        case Shader::count_tiles:
             break;
         case Shader::build_grid:
+        case Shader::scan_cells:
+        case Shader::scatter_keys:
+        case Shader::order_keys:
+        case Shader::gather:
         case Shader::count_missed:
         case Shader::keep_places:
             inspector.want(Slot::cell_ranges);

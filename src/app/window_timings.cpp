@@ -46,7 +46,11 @@ void WindowTimings::add_substeps(std::span<const StageTimes> times) {
         for (const StageTimes& substep : times) {
             sum += substep[stage];
         }
-        histories_[stage].add(sum / static_cast<double>(times.size()));
+        if (sum == 0.0) {
+            histories_[stage] = {};  // this schedule does without
+        } else {
+            histories_[stage].add(sum / static_cast<double>(times.size()));
+        }
     }
 }
 
@@ -62,14 +66,21 @@ void WindowTimings::refresh() {
 }
 
 std::span<const ui::TimingRow> WindowTimings::rows() {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows_.clear();
+    const bool counted = !histories_[static_cast<std::size_t>(Stage::counting_sort)].samples().empty();
+    const auto other_sort = static_cast<std::size_t>(counted ? Stage::bitonic_sort : Stage::counting_sort);
+    for (std::size_t i = 0; i < histories_.size(); ++i) {
         const bool stage = i < stage_count;
-        rows_[i].name = stage ? stage_names[i] : i == picture ? "drawing" : "panels";
-        rows_[i].per = stage ? "substep" : "frame";
-        rows_[i].colour = view::categorical(static_cast<std::uint32_t>(i));
-        rows_[i].now_ms = histories_[i].now_ms();
-        rows_[i].median_ms = histories_[i].median_ms();
-        rows_[i].history = histories_[i].samples();
+        if (i == other_sort) {
+            continue;
+        }
+        ui::TimingRow& row = rows_.emplace_back();
+        row.name = stage ? stage_names[i] : i == picture ? "drawing" : "panels";
+        row.per = stage ? "substep" : "frame";
+        row.colour = view::categorical(static_cast<std::uint32_t>(i));
+        row.now_ms = histories_[i].now_ms();
+        row.median_ms = histories_[i].median_ms();
+        row.history = histories_[i].samples();
     }
     return rows_;
 }

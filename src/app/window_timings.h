@@ -48,7 +48,7 @@ private:
     static constexpr std::size_t panels = stage_count + 1;
 
     std::array<TimingHistory, stage_count + 2> histories_;
-    std::array<ui::TimingRow, stage_count + 2> rows_;
+    std::vector<ui::TimingRow> rows_;
 };
 
 /// Means over the frames of a quarter of a second.

@@ -29,9 +29,10 @@ enum class Feature : std::uint32_t {
     diagnostics = 1u << 15,     // stages count what goes wrong
     compensated = 1u << 16,     // what rounding leaves out of positions and velocities is kept and added later
     semi_implicit = 1u << 17,   // a dashpot that no substep is too long for
+    sorted_copies = 1u << 18,   // collide reads the state in the order of the sorted keys
 };
 
-inline constexpr std::array<std::string_view, 18> feature_defines = {"LAW_GRAVITY",
+inline constexpr std::array<std::string_view, 19> feature_defines = {"LAW_GRAVITY",
                                                                      "LAW_DRAG",
                                                                      "LAW_CONTACT",
                                                                      "LAW_DASHPOT",
@@ -48,12 +49,14 @@ inline constexpr std::array<std::string_view, 18> feature_defines = {"LAW_GRAVIT
                                                                      "LAW_PULL",
                                                                      "DIAGNOSTICS",
                                                                      "LAW_COMPENSATED",
-                                                                     "LAW_SEMI_IMPLICIT"};
+                                                                     "LAW_SEMI_IMPLICIT",
+                                                                     "SORTED_COPIES"};
 
 struct Features {
     std::uint32_t bits = 0;
 
     constexpr bool has(Feature f) const { return (bits & static_cast<std::uint32_t>(f)) != 0; }
+    constexpr Features without(Feature f) const { return {bits & ~static_cast<std::uint32_t>(f)}; }
     constexpr void add(Feature f, bool wanted = true) { bits |= wanted ? static_cast<std::uint32_t>(f) : 0u; }
     friend constexpr bool operator==(Features, Features) = default;
     friend constexpr auto operator<=>(Features, Features) = default;

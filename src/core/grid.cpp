@@ -7,8 +7,8 @@
 namespace ballpit {
 
 std::uint32_t maximum_cells(std::uint32_t ball_count) {
-    const std::uint64_t wanted = 8ull * ball_count;
-    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1u << 15, 1u << 24));
+    const std::uint64_t wanted = 16ull * ball_count;
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1u << 15, 1u << 26));
 }
 
 Grid make_grid(const Box& box, double r_max, double cell_factor, std::uint32_t ball_count) {

@@ -16,8 +16,8 @@ struct Grid {
     std::uint32_t cell_count() const { return cells.x * cells.y * cells.z; }
 };
 
-/// Cells that the table may have for this many balls: enough to keep them almost empty, few enough to be cleared
-/// in every substep.
+/// Cells that the table may have for this many balls: enough for balls that fill a sixteenth of their box, few enough
+/// for the memory of a device.
 std::uint32_t maximum_cells(std::uint32_t ball_count);
 
 /// Cell width 2 * r_max * cell_factor and a little more, so that rounding never misses a pair; wider where the box

@@ -42,14 +42,24 @@ std::array<std::size_t, slot_count> bytes_of(const Schedule& schedule) {
     of(Slot::built_positions) = schedule.keeps_places ? state : 0;
     of(Slot::keys) = schedule.key_count * sizeof(Key);
     of(Slot::cell_ranges) = schedule.cell_count * sizeof(CellRange);
+    of(Slot::used_tiles) = tile_count(schedule.cell_count) * sizeof(std::uint32_t);
+    if (schedule.features.has(Feature::sorted_copies)) {
+        of(Slot::sorted_positions) = of(Slot::sorted_velocities) = state;
+    }
+    if (schedule.counts_cells) {
+        of(Slot::tickets) = schedule.ball_count * sizeof(std::uint32_t);
+        of(Slot::scattered_keys) = schedule.ball_count * sizeof(Key);
+        of(Slot::tile_counts) = of(Slot::used_tiles);
+    }
     of(Slot::status) = sizeof(Status);
     return bytes;
 }
 
 double bytes_per_ball(const Schedule& schedule) {
     auto bytes = bytes_of(schedule);
-    bytes[static_cast<std::size_t>(Slot::cell_ranges)] = 0;
-    bytes[static_cast<std::size_t>(Slot::status)] = 0;
+    for (const Slot slot : {Slot::cell_ranges, Slot::used_tiles, Slot::tile_counts, Slot::status}) {
+        bytes[static_cast<std::size_t>(slot)] = 0;
+    }
     const auto sum = std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
     return schedule.ball_count == 0 ? 0.0 : static_cast<double>(sum) / schedule.ball_count;
 }

@@ -14,7 +14,8 @@ namespace ballpit {
 /// Bytes that a backend keeps for each slot.
 std::array<std::size_t, slot_count> bytes_of(const Schedule& schedule);
 
-/// Of those the slots that grow with the number of balls (all but the cell table and the status word), a ball.
+/// Of those the slots that grow with the number of balls (all but the cell table, what is kept for its tiles, and the
+/// status word), a ball.
 double bytes_per_ball(const Schedule& schedule);
 
 /// Bytes that a dispatch cannot do without moving: each slot that it reads or writes as a whole, once. Not counted is

@@ -29,7 +29,8 @@ Schedule scene_schedule(const Settings& settings, const Box& scene_box, const Wa
     const Box wanted = shifted(scene_box, {settings.walls_low, settings.walls_high, dvec3(0.0), 0.0});
     const Grid grid = make_grid(united(scene_box, wanted), largest_radius, settings.cell_factor, ball_count);
     const bool moving = walls_move(walls, settings, scene_box, 2.0 * largest_radius);
-    return make_schedule(ball_count, grid, features_of(settings, variety, moving), settings.sort, settings.grid_reuse);
+    const SortMethod sort = settings.sort == SortMethod::automatic ? SortMethod::bitonic_fused : settings.sort;
+    return make_schedule(ball_count, grid, features_of(settings, variety, moving), sort, settings.grid_reuse);
 }
 
 Schedule first_schedule(const Scene& scene) {

@@ -151,7 +151,7 @@ void read_time(const JsonValue& time, Scene& scene) {
 }
 
 void read_compute(const JsonValue& compute, Scene& scene) {
-    compute.expect_object({"sort", "cell_factor", "grid_reuse", "neighbours"});
+    compute.expect_object({"sort", "cell_factor", "grid_reuse", "neighbours", "sorted_copies"});
     if (const auto sort = compute.optional("sort")) {
         scene.settings.sort = read_choice<SortMethod>(*sort, sort_names);
     }
@@ -163,6 +163,9 @@ void read_compute(const JsonValue& compute, Scene& scene) {
     }
     if (const auto neighbours = compute.optional("neighbours")) {
         scene.settings.neighbours = read_choice<NeighbourSearch>(*neighbours, neighbour_search_names);
+    }
+    if (const auto copies = compute.optional("sorted_copies")) {
+        scene.settings.sorted_copies = copies->boolean();
     }
 }
 

@@ -97,6 +97,9 @@ Json compute_json(const Settings& settings) {
     if (settings.neighbours != usual.neighbours) {
         compute["neighbours"] = neighbour_search_names.at(static_cast<std::size_t>(settings.neighbours));
     }
+    if (settings.sorted_copies != usual.sorted_copies) {
+        compute["sorted_copies"] = settings.sorted_copies;
+    }
     return compute;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace ballpit {
 
@@ -17,6 +18,7 @@ Features relevant(Shader shader, Features features) {
             return features;
         case Shader::assign_cells:
         case Shader::build_grid:
+        case Shader::count_cells:
             seen.add(Feature::diagnostics, features.has(Feature::diagnostics));
             break;
         case Shader::count_missed:
@@ -25,8 +27,14 @@ Features relevant(Shader shader, Features features) {
             break;
         case Shader::bitonic_sort:
         case Shader::bitonic_sort_fused:
+        case Shader::bitonic_sort_strides:
         case Shader::clear_cells:
+        case Shader::count_tiles:
+        case Shader::scan_cells:
+        case Shader::scatter_keys:
+        case Shader::order_keys:
         case Shader::keep_places:
+        case Shader::gather:
             break;
     }
     return seen;
@@ -62,6 +70,30 @@ struct Builder {
             {Slot::keys});
     }
 
+    // Up to three passes from j on, of which none stays inside a tile.
+    void strides(std::uint32_t k, std::uint32_t j, std::uint32_t passes) const {
+        add(Stage::bitonic_sort,
+            "bitonic_sort_strides k=" + std::to_string(k) + " j=" + std::to_string(j) + ".." +
+                std::to_string(j >> (passes - 1)),
+            Shader::bitonic_sort_strides, groups_for(schedule.key_count / STRIDE_KEYS, GROUP_SIZE), {k, j, passes, 0},
+            {Slot::keys}, {Slot::keys});
+    }
+
+    // The passes of k whose pairs reach beyond a tile, by threes where there are slots enough.
+    void passes_beyond(std::uint32_t k, std::uint32_t tile) const {
+        for (std::uint32_t j = k / 2; j >= tile;) {
+            const auto left = static_cast<std::uint32_t>(std::countr_zero(j) - std::countr_zero(tile)) + 1;
+            const std::uint32_t together = std::min(left, 3u);
+            if (together > 1 && schedule.key_count >= STRIDE_KEYS * (j >> (together - 1))) {
+                strides(k, j, together);
+                j >>= together;
+            } else {
+                pass(k, j);
+                j /= 2;
+            }
+        }
+    }
+
     // All passes with k_first <= k <= k_last and j <= j_first that stay inside a tile.
     void fused(std::uint32_t k_first, std::uint32_t k_last, std::uint32_t j_first) const {
         const std::string name =
@@ -88,22 +120,46 @@ struct Builder {
         const std::uint32_t tile = std::min<std::uint32_t>(SORT_TILE_SIZE, schedule.key_count);
         fused(2, tile, 1);
         for (std::uint32_t k = 2 * tile; k <= schedule.key_count && k != 0; k *= 2) {
-            std::uint32_t j = k / 2;
-            for (; j >= tile; j /= 2) {
-                pass(k, j);
-            }
-            fused(k, k, j);
+            passes_beyond(k, tile);
+            fused(k, k, tile / 2);
         }
+    }
+
+    void clear_cells() const {
+        add(Stage::build_grid, "clear_cells", Shader::clear_cells, groups_for(tile_count(schedule.cell_count), 1), {},
+            {Slot::used_tiles}, {Slot::cell_ranges, Slot::used_tiles});
+    }
+
+    // From the sorted keys to the ranges.
+    void sort_then_build(SortMethod sort) const {
+        sort == SortMethod::bitonic ? sort_pass_by_pass() : sort_fused();
+        clear_cells();
+        add_diagnosed(Stage::build_grid, "build_grid", Shader::build_grid, groups_for(schedule.ball_count, GROUP_SIZE),
+                      {Slot::keys, Slot::used_tiles}, {Slot::cell_ranges, Slot::used_tiles});
+    }
+
+    // From the ranges to the sorted keys.
+    void build_then_sort() const {
+        const Groups balls = groups_for(schedule.ball_count, GROUP_SIZE);
+        const Groups tiles = groups_for(tile_count(schedule.cell_count), 1);
+        clear_cells();
+        add_diagnosed(Stage::build_grid, "count_cells", Shader::count_cells, balls,
+                      {Slot::keys, Slot::cell_ranges, Slot::used_tiles},
+                      {Slot::cell_ranges, Slot::used_tiles, Slot::tickets});
+        add(Stage::build_grid, "count_tiles", Shader::count_tiles, tiles, {}, {Slot::cell_ranges, Slot::used_tiles},
+            {Slot::tile_counts});
+        add(Stage::build_grid, "scan_cells", Shader::scan_cells, tiles, {},
+            {Slot::cell_ranges, Slot::used_tiles, Slot::tile_counts}, {Slot::cell_ranges});
+        add(Stage::counting_sort, "scatter_keys", Shader::scatter_keys, balls, {},
+            {Slot::keys, Slot::cell_ranges, Slot::tickets}, {Slot::scattered_keys});
+        add(Stage::counting_sort, "order_keys", Shader::order_keys, balls, {},
+            {Slot::cell_ranges, Slot::scattered_keys}, {Slot::keys});
     }
 
     void build_neighbour_grid(SortMethod sort) const {
         add_diagnosed(Stage::assign_cells, "assign_cells", Shader::assign_cells,
                       groups_for(schedule.key_count, GROUP_SIZE), {Slot::positions}, {Slot::keys});
-        sort == SortMethod::bitonic ? sort_pass_by_pass() : sort_fused();
-        add(Stage::build_grid, "clear_cells", Shader::clear_cells, groups_for(schedule.cell_count, GROUP_SIZE), {}, {},
-            {Slot::cell_ranges});
-        add_diagnosed(Stage::build_grid, "build_grid", Shader::build_grid, groups_for(schedule.ball_count, GROUP_SIZE),
-                      {Slot::keys}, {Slot::cell_ranges});
+        schedule.counts_cells ? build_then_sort() : sort_then_build(sort);
     }
 
     // Both ask or tell where balls were when a grid was built: before the first look, then for the next one.
@@ -116,7 +172,13 @@ struct Builder {
     }
 
     void collide() const {
-        std::vector<Slot> reads{Slot::positions, Slot::velocities};
+        const bool copies = schedule.features.has(Feature::sorted_copies);
+        if (copies) {
+            add(Stage::collide, "gather", Shader::gather, groups_for(schedule.ball_count, GROUP_SIZE), {},
+                {Slot::positions, Slot::velocities, Slot::keys}, {Slot::sorted_positions, Slot::sorted_velocities});
+        }
+        std::vector<Slot> reads = copies ? std::vector{Slot::sorted_positions, Slot::sorted_velocities}
+                                         : std::vector{Slot::positions, Slot::velocities};
         if (needs_grid(schedule.features)) {
             reads.insert(reads.end(), {Slot::keys, Slot::cell_ranges});
         }
@@ -144,8 +206,31 @@ Groups groups_for(std::uint32_t invocations, std::uint32_t group_size) {
     return {FOLDED_WIDTH, (groups + FOLDED_WIDTH - 1) / FOLDED_WIDTH};
 }
 
+std::uint32_t tile_count(std::uint32_t cell_count) { return (cell_count + TILE_CELLS - 1) / TILE_CELLS; }
+
+std::uint32_t binding_of(Shader shader, Slot slot) {
+    const bool collides = shader == Shader::collide;
+    switch (slot) {
+        case Slot::sorted_positions:
+            return collides ? SLOT_POSITIONS : BINDING_GATHERED_POSITIONS;
+        case Slot::sorted_velocities:
+            return collides ? SLOT_VELOCITIES : BINDING_GATHERED_VELOCITIES;
+        case Slot::used_tiles:
+            return BINDING_USED_TILES;
+        case Slot::tickets:
+            return BINDING_TICKETS;
+        case Slot::scattered_keys:
+            return BINDING_SCATTERED_KEYS;
+        case Slot::tile_counts:
+            return BINDING_TILE_COUNTS;
+        default:
+            return static_cast<std::uint32_t>(slot);
+    }
+}
+
 Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort,
                        std::uint32_t grid_reuse) {
+    assert(sort != SortMethod::automatic);
     Schedule schedule;
     schedule.features = features;
     schedule.grid = grid;
@@ -158,6 +243,7 @@ Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features feat
     if (needs_grid(features)) {
         schedule.key_count = std::bit_ceil(ball_count);
         schedule.cell_count = grid.cell_count();
+        schedule.counts_cells = sort == SortMethod::counting;
         builder.build_neighbour_grid(sort);
         schedule.keeps_places = grid_reuse > 1 && features.has(Feature::diagnostics);
         if (schedule.keeps_places) {

@@ -15,9 +15,10 @@
 
 namespace ballpit {
 
-enum class Stage : std::uint8_t { assign_cells, bitonic_sort, build_grid, collide };
-inline constexpr std::array<std::string_view, 4> stage_names = {"assign_cells", "bitonic_sort", "build_grid",
-                                                                "collide"};
+/// In the order of a substep with a bitonic sort. A counting sort comes after build_grid: it needs the cells' ranges.
+enum class Stage : std::uint8_t { assign_cells, bitonic_sort, build_grid, counting_sort, collide };
+inline constexpr std::array<std::string_view, 5> stage_names = {"assign_cells", "bitonic_sort", "build_grid",
+                                                                "counting_sort", "collide"};
 inline constexpr std::size_t stage_count = stage_names.size();
 constexpr std::string_view stage_name(Stage stage) { return stage_names[static_cast<std::size_t>(stage)]; }
 
@@ -26,18 +27,28 @@ enum class Shader : std::uint8_t {
     assign_cells,
     bitonic_sort,
     bitonic_sort_fused,
+    bitonic_sort_strides,
     clear_cells,
     build_grid,
+    count_cells,
+    count_tiles,
+    scan_cells,
+    scatter_keys,
+    order_keys,
     count_missed,
     keep_places,
+    gather,
     collide
 };
-inline constexpr std::array<std::string_view, 8> shader_names = {"assign_cells", "bitonic_sort", "bitonic_sort_fused",
-                                                                 "clear_cells",  "build_grid",   "count_missed",
-                                                                 "keep_places",  "collide"};
+inline constexpr std::array<std::string_view, 15> shader_names = {
+    "assign_cells",         "bitonic_sort", "bitonic_sort_fused",
+    "bitonic_sort_strides", "clear_cells",  "build_grid",
+    "count_cells",          "count_tiles",  "scan_cells",
+    "scatter_keys",         "order_keys",   "count_missed",
+    "keep_places",          "gather",       "collide"};
 constexpr std::string_view shader_name(Shader shader) { return shader_names[static_cast<std::size_t>(shader)]; }
 
-/// The buffers, by the role they play in a substep; the values are their bindings.
+/// The buffers, by the role they play in a substep.
 enum class Slot : std::uint8_t {
     positions = SLOT_POSITIONS,
     velocities = SLOT_VELOCITIES,
@@ -49,12 +60,23 @@ enum class Slot : std::uint8_t {
     next_velocities = SLOT_NEXT_VELOCITIES,
     compensations = SLOT_COMPENSATIONS,
     built_positions = SLOT_BUILT_POSITIONS,
+    sorted_positions = SLOT_SORTED_POSITIONS,
+    sorted_velocities = SLOT_SORTED_VELOCITIES,
+    used_tiles = SLOT_USED_TILES,
+    tickets = SLOT_TICKETS,
+    scattered_keys = SLOT_SCATTERED_KEYS,
+    tile_counts = SLOT_TILE_COUNTS,
 };
 inline constexpr std::size_t slot_count = SLOT_COUNT;
 inline constexpr std::array<std::string_view, slot_count> slot_names = {
-    "positions", "velocities",     "damping_ratios",  "keys",          "cell_ranges",
-    "status",    "next_positions", "next_velocities", "compensations", "built_positions"};
+    "positions",     "velocities",      "damping_ratios",   "keys",
+    "cell_ranges",   "status",          "next_positions",   "next_velocities",
+    "compensations", "built_positions", "sorted_positions", "sorted_velocities",
+    "used_tiles",    "tickets",         "scattered_keys",   "tile_counts"};
 constexpr std::string_view slot_name(Slot slot) { return slot_names[static_cast<std::size_t>(slot)]; }
+
+/// The number under which a shader finds a slot: its own, or that of a slot that the shader does not use.
+std::uint32_t binding_of(Shader shader, Slot slot);
 
 /// A program is a shader and the features it is compiled with.
 struct Program {
@@ -89,6 +111,7 @@ struct Schedule {
     std::uint32_t ball_count = 0;
     std::uint32_t key_count = 0;  // 0 where no grid is needed
     std::uint32_t cell_count = 0;
+    bool counts_cells = false;  // a counting sort
     bool in_place = false;      // no ball looks at another: one state buffer will do, nothing is written to next_*
     bool keeps_places = false;  // where balls were when the grid was built is kept, to tell what a used grid misses
 };
@@ -98,10 +121,12 @@ inline constexpr std::uint32_t widest_dispatch = 65535;  // GL_MAX_COMPUTE_WORK_
 /// Groups that cover this many invocations of groups of `group_size`.
 Groups groups_for(std::uint32_t invocations, std::uint32_t group_size);
 
-/// The dispatches of a substep. No balls: an empty list. No contact law, or brute force: a single `collide`, no grid.
-/// Without the contact law it works in place.
-/// `grid_reuse`: how many substeps use one grid; from two on a build also counts what the grid before did not show,
-/// with diagnostics.
+/// Tiles of the cell table, the last one perhaps not whole.
+std::uint32_t tile_count(std::uint32_t cell_count);
+
+/// The dispatches of a substep. `sort`: not `automatic`. No balls: an empty list. No contact law, or brute force: a
+/// single `collide`, no grid. Without the contact law it works in place. `grid_reuse`: how many substeps use one grid;
+/// from two on a build also counts what the grid before did not show, with diagnostics.
 Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort,
                        std::uint32_t grid_reuse = 1);
 

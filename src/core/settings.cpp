@@ -25,7 +25,7 @@ constexpr Needs walls{&Laws::walls};
 constexpr Needs shake{&Laws::shake};
 constexpr Needs contact_or_walls{&Laws::contact, &Laws::walls};
 
-constexpr std::array<SettingInfo, 21> table = {{
+constexpr std::array<SettingInfo, 22> table = {{
     {"balls", "Balls", "", 0, maximum_balls, true, always,
      "How many balls; those that stay keep their motion when the number changes.", &Settings::balls},
     {"gravity", "Gravity", "m/s^2", -100, 100, false, gravity, "Acceleration of every ball as x,y,z; z is up.",
@@ -48,7 +48,8 @@ constexpr std::array<SettingInfo, 21> table = {{
     {"integrator", "Integrator", "", 0, 0, false, always, "How velocity and position are advanced.",
      &Settings::integrator},
     {"sort", "Sort", "", 0, 0, false, contact,
-     "How the keys are sorted: pass by pass, or with the inner passes fused in shared memory.", &Settings::sort},
+     "How the keys are sorted: by bitonic passes, by those fused in shared memory, by counting, or as is fastest here.",
+     &Settings::sort},
     {"cell_factor", "Cell factor", "", 0.25, 8, true, contact,
      "Cell width over the largest diameter; below 1 the grid misses pairs, which is there to be shown.",
      &Settings::cell_factor},
@@ -59,6 +60,9 @@ constexpr std::array<SettingInfo, 21> table = {{
     {"neighbours", "Neighbours", "", 0, 0, false, contact,
      "Whether a ball looks for its neighbours in the cells around it, or asks every other ball.",
      &Settings::neighbours},
+    {"sorted_copies", "Sorted copies", "", 0, 1, false, contact,
+     "Whether collide reads the balls from copies in the order of the cells, or from where they are; same result.",
+     &Settings::sorted_copies},
     {"laws", "Laws", "", 0, 0, false, always, "What the scene models, as a list of laws.", &Settings::laws},
     {"walls_low", "Lower walls", "m", -100, 100, false, walls,
      "Where the lower walls stand, counted from their place in the scene; they move there.", &Settings::walls_low},

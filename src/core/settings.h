@@ -15,8 +15,10 @@
 
 namespace ballpit {
 
-enum class SortMethod { bitonic, bitonic_fused };
-inline constexpr std::array<std::string_view, 2> sort_names = {"bitonic", "bitonic_fused"};
+/// How the keys get into their order. `automatic`: whichever of the fused bitonic sort and the counting sort this
+/// device does faster with so many balls, by a short measurement; the order, and with it every bit, is the same.
+enum class SortMethod { bitonic, bitonic_fused, counting, automatic };
+inline constexpr std::array<std::string_view, 4> sort_names = {"bitonic", "bitonic_fused", "counting", "auto"};
 
 /// How collide finds the neighbours of a ball: in the cells around it, or by asking every other ball.
 enum class NeighbourSearch { grid, brute_force };
@@ -49,6 +51,7 @@ struct Settings {
     double cell_factor = 1.0;
     std::uint32_t grid_reuse = 1;
     NeighbourSearch neighbours = NeighbourSearch::grid;
+    bool sorted_copies = true;
     dvec3 walls_low{0.0};                  // m, where the lower walls shall stand, from where the scene has them
     dvec3 walls_high{0.0};                 // m, the same for the upper walls
     double wall_speed = 1.0;               // m/s, at which they go there

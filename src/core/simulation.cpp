@@ -88,6 +88,7 @@ void Simulation::load_state(BallState state) {
     set_schedule(state.count());
     load_backend(*backend_,
                  {state.positions, state.velocities, run_.restitutions, run_.velocity_lag, state.compensations});
+    choose_sort();
     add_to_status(status);
 }
 
@@ -111,8 +112,7 @@ Features Simulation::wanted_features(const Settings& settings) const {
 }
 
 void Simulation::set_schedule(std::uint32_t ball_count) {
-    schedule_ =
-        scene_schedule(run_.settings, run_.scene_box, run_.walls, run_.largest_radius, run_.variety, ball_count);
+    schedule_ = schedule_for(fastest_sort_, ball_count);
     reused_schedule_ = with_grid_reused(schedule_);
     run_.grid_age = 0;
     ++schedule_changes_;
@@ -247,7 +247,9 @@ void Simulation::change(const Settings& wanted) {
 void Simulation::change_now(const Settings& wanted) {
     interrupt_meters(wanted);
     const bool other_count = wanted.balls != run_.settings.balls;
-    const bool other_program = wanted_features(wanted) != schedule_.features;
+    // Where collide reads the state from is no other law: the balls stay as they are.
+    const bool other_program =
+        wanted_features(wanted).without(Feature::sorted_copies) != schedule_.features.without(Feature::sorted_copies);
     const bool other_damping = ball_restitutions(scene_, wanted, run_.settings.balls) != run_.restitutions;
     if (other_count || other_program || other_damping) {
         expect_storage(
@@ -283,14 +285,15 @@ void Simulation::change_now(const Settings& wanted) {
         return;
     }
     rebase_clock();
-    const bool other_schedule = wanted.sort != run_.settings.sort || wanted.cell_factor != run_.settings.cell_factor ||
-                                wanted.grid_reuse != run_.settings.grid_reuse ||
-                                wanted.walls_low != run_.settings.walls_low ||
-                                wanted.walls_high != run_.settings.walls_high;
+    const bool other_schedule =
+        wanted.sort != run_.settings.sort || wanted.cell_factor != run_.settings.cell_factor ||
+        wanted.grid_reuse != run_.settings.grid_reuse || wanted.sorted_copies != run_.settings.sorted_copies ||
+        wanted.walls_low != run_.settings.walls_low || wanted.walls_high != run_.settings.walls_high;
     run_.settings = wanted;
     if (other_schedule) {
         set_schedule(schedule_.ball_count);
         backend_->reschedule(schedule_);
+        choose_sort();
     }
 }
 

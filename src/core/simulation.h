@@ -154,7 +154,12 @@ private:
     void load_backend(Backend& backend, BallState state) const;
     bool walls_move() const { return ballpit::walls_move(run_.walls, run_.settings, run_.scene_box, wall_room()); }
     Features wanted_features(const Settings& settings) const;
+    /// `fastest`: the sort that stands for SortMethod::automatic.
+    Schedule schedule_for(SortMethod fastest, std::uint32_t ball_count) const;
     void set_schedule(std::uint32_t ball_count);
+    /// Where the settings leave the sort open: which one it is, by measurement, once for a number of balls.
+    void choose_sort();
+    double measured_build_ms(SortMethod sort);
     Walls walls(const Settings& settings) const;
     SubstepParams<double> params_for(const Settings& settings, const Schedule& schedule, const Variety& variety) const;
     void advance_walls();
@@ -173,6 +178,8 @@ private:
     std::unique_ptr<Backend> backend_;
     Schedule schedule_;
     Schedule reused_schedule_;
+    SortMethod fastest_sort_ = SortMethod::bitonic_fused;
+    std::uint32_t sort_chosen_for_ = 0;  // balls
     std::uint64_t schedule_changes_ = 0;
     RunState run_;
     bool metering_ = false;

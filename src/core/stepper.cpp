@@ -65,8 +65,9 @@ const Schedule& Stepper::schedule_of(bool builds_grid) {
     if (!schedule_ || schedule_change_ != simulation_.schedule_changes()) {
         const Schedule& running = simulation_.schedule();
         schedule_change_ = simulation_.schedule_changes();
-        schedule_ = make_schedule(running.ball_count, running.grid, running.features, SortMethod::bitonic,
-                                  simulation_.settings().grid_reuse);
+        const SortMethod sort = running.counts_cells ? SortMethod::counting : SortMethod::bitonic;  // pass by pass
+        schedule_ =
+            make_schedule(running.ball_count, running.grid, running.features, sort, simulation_.settings().grid_reuse);
         reused_schedule_ = with_grid_reused(*schedule_);
     }
     return builds_grid ? *schedule_ : reused_schedule_;

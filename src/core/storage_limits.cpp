@@ -14,9 +14,9 @@ namespace ballpit {
 namespace {
 
 // Beyond what is guaranteed are only the slots of two options, so it is one of them that can be given up.
-std::string remedy(Slot last) {
-    return last == Slot::built_positions ? "set grid_reuse (Grid reuse) to 1"
-                                         : "switch off the law 'compensated' (Compensated sums)";
+std::string remedy(const std::set<Slot>& slots) {
+    return slots.contains(Slot::built_positions) ? "set grid_reuse (Grid reuse) to 1"
+                                                 : "switch off the law 'compensated' (Compensated sums)";
 }
 
 void expect_buffers(const Dispatch& dispatch, const StorageLimits& limits) {
@@ -25,12 +25,14 @@ void expect_buffers(const Dispatch& dispatch, const StorageLimits& limits) {
     if (slots.empty()) {
         return;
     }
-    const auto last = static_cast<std::uint32_t>(*slots.rbegin());
+    std::uint32_t last = 0;
+    for (const Slot slot : slots) {
+        last = std::max(last, binding_of(dispatch.program.shader, slot));
+    }
     const std::uint32_t wanted = std::max(static_cast<std::uint32_t>(slots.size()), last + 1);
     if (slots.size() > limits.blocks || last >= limits.bindings) {
         throw NoRoom(dispatch.name + " would need " + std::to_string(wanted) + " buffers at once, the device allows " +
-                     std::to_string(std::min(limits.blocks, limits.bindings)) +
-                     " a shader: " + remedy(*slots.rbegin()));
+                     std::to_string(std::min(limits.blocks, limits.bindings)) + " a shader: " + remedy(slots));
     }
 }
 

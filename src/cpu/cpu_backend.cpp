@@ -11,11 +11,18 @@
 #include "cpu/assign_cells.h"
 #include "cpu/bitonic_sort.h"
 #include "cpu/bitonic_sort_fused.h"
+#include "cpu/bitonic_sort_strides.h"
 #include "cpu/build_grid.h"
 #include "cpu/clear_cells.h"
+#include "cpu/count_cells.h"
 #include "cpu/count_missed.h"
+#include "cpu/count_tiles.h"
+#include "cpu/gather.h"
 #include "cpu/keep_places.h"
 #include "cpu/meter.h"
+#include "cpu/order_keys.h"
+#include "cpu/scan_cells.h"
+#include "cpu/scatter_keys.h"
 
 namespace ballpit::cpu {
 
@@ -135,6 +142,14 @@ void CpuBackend<Real>::reschedule(const Schedule& schedule) {
     keys_.assign(schedule.key_count, Key{SENTINEL, SENTINEL});
     cell_ranges_.assign(schedule.cell_count, CellRange{0, 0});
     built_positions_ = schedule.keeps_places ? positions_ : std::vector<Vec4<Real>>();
+    const std::size_t copies = schedule.features.has(Feature::sorted_copies) ? schedule.ball_count : 0;
+    sorted_positions_.assign(copies, Vec4<Real>(0));
+    sorted_velocities_.assign(copies, Vec4<Real>(0));
+    used_tiles_.assign(tile_count(schedule.cell_count), 0);
+    const std::size_t counted = schedule.counts_cells ? schedule.ball_count : 0;
+    tickets_.assign(counted, 0);
+    scattered_keys_.assign(counted, Key{0, 0});
+    tile_counts_.assign(schedule.counts_cells ? used_tiles_.size() : 0, 0);
 }
 
 template <class Real>
@@ -153,6 +168,7 @@ void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParam
     const Features features = dispatch.program.features;
     Status unwanted{};
     Status& status = features.has(Feature::diagnostics) ? status_ : unwanted;
+    const std::span<Key> keys = std::span(keys_).first(std::min<std::size_t>(params.ball_count, keys_.size()));
     switch (dispatch.program.shader) {
         case Shader::assign_cells:
             return assign_cells<Real>(params, positions_, keys_, status, {0, params.ball_count});
@@ -160,14 +176,28 @@ void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParam
             return bitonic_sort(keys_, dispatch.constants[0], dispatch.constants[1]);
         case Shader::bitonic_sort_fused:
             return bitonic_sort_fused(keys_, dispatch.constants[1]);
+        case Shader::bitonic_sort_strides:
+            return bitonic_sort_strides(keys_, dispatch.constants[0], dispatch.constants[1], dispatch.constants[2]);
         case Shader::clear_cells:
-            return clear_cells(cell_ranges_);
+            return clear_cells(cell_ranges_, used_tiles_);
         case Shader::build_grid:
-            return build_grid(std::span(keys_).first(params.ball_count), cell_ranges_, status);
+            return build_grid(keys, cell_ranges_, used_tiles_, status);
+        case Shader::count_cells:
+            return count_cells(keys, cell_ranges_, used_tiles_, tickets_, status);
+        case Shader::count_tiles:
+            return count_tiles(cell_ranges_, tile_counts_);
+        case Shader::scan_cells:
+            return scan_cells(cell_ranges_);
+        case Shader::scatter_keys:
+            return scatter_keys(keys, cell_ranges_, tickets_, scattered_keys_);
+        case Shader::order_keys:
+            return order_keys(scattered_keys_, cell_ranges_, keys);
         case Shader::count_missed:
             return count_missed<Real>(params, features, positions_, built_positions_, keys_, cell_ranges_, status);
         case Shader::keep_places:
             return keep_places<Real>(positions_, built_positions_);
+        case Shader::gather:
+            return gather<Real>(keys, positions_, velocities_, sorted_positions_, sorted_velocities_);
         case Shader::collide:
             return collide<Real>(params, features, collide_input(), collide_output(features), status,
                                  {0, params.ball_count});
@@ -285,6 +315,18 @@ Bytes CpuBackend<Real>::read(Slot slot) {
             return compensation_bytes(left_out_);
         case Slot::built_positions:
             return converted_bytes<vec4>(built_positions_);
+        case Slot::sorted_positions:
+            return converted_bytes<vec4>(sorted_positions_);
+        case Slot::sorted_velocities:
+            return converted_bytes<vec4>(sorted_velocities_);
+        case Slot::used_tiles:
+            return bytes_of<std::uint32_t>(used_tiles_);
+        case Slot::tickets:
+            return bytes_of<std::uint32_t>(tickets_);
+        case Slot::scattered_keys:
+            return bytes_of<Key>(scattered_keys_);
+        case Slot::tile_counts:
+            return bytes_of<std::uint32_t>(tile_counts_);
     }
     return {};
 }
@@ -315,6 +357,18 @@ void CpuBackend<Real>::write(Slot slot, std::span<const std::byte> bytes) {
             return;
         case Slot::built_positions:
             return overwrite_converted<vec4>(built_positions_, bytes);
+        case Slot::sorted_positions:
+            return overwrite_converted<vec4>(sorted_positions_, bytes);
+        case Slot::sorted_velocities:
+            return overwrite_converted<vec4>(sorted_velocities_, bytes);
+        case Slot::used_tiles:
+            return overwrite(used_tiles_, bytes);
+        case Slot::tickets:
+            return overwrite(tickets_, bytes);
+        case Slot::scattered_keys:
+            return overwrite(scattered_keys_, bytes);
+        case Slot::tile_counts:
+            return overwrite(tile_counts_, bytes);
     }
 }
 

@@ -74,6 +74,12 @@ private:
     std::vector<Key> keys_;
     std::vector<CellRange> cell_ranges_;
     std::vector<Vec4<Real>> built_positions_;
+    std::vector<Vec4<Real>> sorted_positions_;
+    std::vector<Vec4<Real>> sorted_velocities_;
+    std::vector<std::uint32_t> used_tiles_;
+    std::vector<std::uint32_t> tickets_;
+    std::vector<Key> scattered_keys_;
+    std::vector<std::uint32_t> tile_counts_;
     Status status_{};
     std::array<std::optional<Bytes>, slot_count> requested_;
     std::vector<TaggedHash> hashes_;

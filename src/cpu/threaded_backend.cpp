@@ -55,13 +55,20 @@ void ThreadedBackend::run_in_whole(const Dispatch& dispatch, const SubstepParams
             return assign(dispatch, params);
         case Shader::bitonic_sort:
         case Shader::bitonic_sort_fused:
+        case Shader::bitonic_sort_strides:
             return sort(params);
         case Shader::collide:
             return built_ ? collide_pairs(dispatch, params) : collide_each(dispatch, params);
         case Shader::clear_cells:
         case Shader::build_grid:
+        case Shader::count_cells:
+        case Shader::count_tiles:
+        case Shader::scan_cells:
+        case Shader::scatter_keys:
+        case Shader::order_keys:
         case Shader::count_missed:
         case Shader::keep_places:
+        case Shader::gather:
             return run_dispatch(dispatch, params);
     }
 }

@@ -61,4 +61,13 @@ void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t o
                         static_cast<GLsizeiptr>(bytes));
 }
 
+void fill(const Buffer& buffer, std::size_t bytes, std::uint32_t value) {
+    assert(bytes <= buffer.size() && bytes % sizeof(value) == 0);
+    if (bytes != 0) {
+        buffer.bind(GL_COPY_WRITE_BUFFER);
+        glClearBufferSubData(GL_COPY_WRITE_BUFFER, GL_R32UI, 0, static_cast<GLsizeiptr>(bytes), GL_RED_INTEGER,
+                             GL_UNSIGNED_INT, &value);
+    }
+}
+
 }  // namespace ballpit::gl

@@ -20,7 +20,9 @@ namespace {
 // What a checkpoint keeps; everything else follows from it.
 constexpr std::array saved_slots = {Slot::positions, Slot::velocities, Slot::compensations, Slot::damping_ratios,
                                     Slot::status};
-constexpr std::array grid_slots = {Slot::keys, Slot::cell_ranges, Slot::built_positions};
+constexpr std::array grid_slots = {Slot::keys,        Slot::cell_ranges,      Slot::built_positions,
+                                   Slot::used_tiles,  Slot::tickets,          Slot::scattered_keys,
+                                   Slot::tile_counts, Slot::sorted_positions, Slot::sorted_velocities};
 
 constexpr auto all_slots = [] {
     std::array<Slot, slot_count> slots{};
@@ -152,9 +154,10 @@ void GpuBackend::reschedule(const Schedule& schedule) {
 // Whoever looks before the first substep sees no keys and empty cells, not what memory held.
 void GpuBackend::forget_grid(const Schedule& schedule) {
     readbacks_ = {};  // a copy under way is of buffers that no longer hold
-    write(Slot::keys, std::as_bytes(std::span<const Key>(std::vector(schedule.key_count, Key{SENTINEL, SENTINEL}))));
-    write(Slot::cell_ranges,
-          std::as_bytes(std::span<const CellRange>(std::vector(schedule.cell_count, CellRange{0, 0}))));
+    for (const Slot slot : grid_slots) {
+        use(slot, Use::copy);
+        gl::fill(buffer(slot), used_bytes_[physical(slot)], slot == Slot::keys ? SENTINEL : 0);
+    }
     if (schedule.keeps_places) {  // nothing has moved since a grid that was never built
         use(Slot::positions, Use::copy);
         use(Slot::built_positions, Use::copy);
@@ -199,7 +202,7 @@ void GpuBackend::run_dispatch(const Dispatch& dispatch, const Schedule& schedule
     compiled.params.bind(params);
     for (const std::vector<Slot>* slots : {&dispatch.reads, &dispatch.writes}) {
         for (const Slot slot : *slots) {
-            buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(slot));
+            buffer(slot).bind_base(GL_SHADER_STORAGE_BUFFER, binding_of(dispatch.program.shader, slot));
         }
     }
     barrier(hazards_.before(dispatch));

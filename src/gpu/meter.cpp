@@ -17,7 +17,7 @@ namespace {
 // Without what meter.comp does not look at, which must not split its permutations.
 Features relevant(Features features) {
     for (const Feature feature : {Feature::drag, Feature::velocity_verlet, Feature::forward_euler, Feature::historical,
-                                  Feature::diagnostics, Feature::compensated}) {
+                                  Feature::diagnostics, Feature::compensated, Feature::sorted_copies}) {
         features.bits &= ~static_cast<std::uint32_t>(feature);
     }
     return features;

@@ -18,6 +18,9 @@ constexpr std::array<SlotColumn, 4> velocity_columns = {
     {{"vx", "m/s", true}, {"vy", "m/s", true}, {"vz", "m/s", true}, {"mass", "kg", true}}};
 constexpr std::array<SlotColumn, 1> damping_columns = {{{"damping_ratio", "", true}}};
 constexpr std::array<SlotColumn, 2> key_columns = {{{"cell_id", "", false}, {"ball_id", "", false}}};
+constexpr std::array<SlotColumn, 1> used_columns = {{{"used", "", false}}};
+constexpr std::array<SlotColumn, 1> ticket_columns = {{{"ticket", "", false}}};
+constexpr std::array<SlotColumn, 1> count_columns = {{{"balls", "", false}}};
 constexpr std::array<SlotColumn, 2> range_columns = {{{"first", "", false}, {"end", "", false}}};
 constexpr std::array<SlotColumn, 6> compensation_columns = {{{"x", "m", true},
                                                              {"y", "m", true},
@@ -50,14 +53,23 @@ std::span<const SlotColumn> slot_columns(Slot slot) {
         case Slot::positions:
         case Slot::next_positions:
         case Slot::built_positions:
+        case Slot::sorted_positions:
             return position_columns;
         case Slot::velocities:
         case Slot::next_velocities:
+        case Slot::sorted_velocities:
             return velocity_columns;
         case Slot::damping_ratios:
             return damping_columns;
         case Slot::keys:
+        case Slot::scattered_keys:
             return key_columns;
+        case Slot::used_tiles:
+            return used_columns;
+        case Slot::tickets:
+            return ticket_columns;
+        case Slot::tile_counts:
+            return count_columns;
         case Slot::cell_ranges:
             return range_columns;
         case Slot::compensations:
@@ -71,7 +83,13 @@ std::span<const SlotColumn> slot_columns(Slot slot) {
 std::string_view slot_element(Slot slot) {
     switch (slot) {
         case Slot::keys:
+        case Slot::scattered_keys:
+        case Slot::sorted_positions:
+        case Slot::sorted_velocities:
             return "slot";
+        case Slot::used_tiles:
+        case Slot::tile_counts:
+            return "tile";
         case Slot::cell_ranges:
             return "cell";
         case Slot::status:

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/quarantine.h"
+#include "measure/any_order.h"
 #include "measure/float_bound.h"
 #include "measure/invariants.h"
 #include "measure/momentum.h"
@@ -36,13 +37,23 @@ Violation violation_after(Backend& backend, const Schedule& schedule, const Disp
         return momentum_balanced(params, dispatch.program.features, before.positions, before.velocities,
                                  read_slot<float>(backend, Slot::damping_ratios), velocities, before.compensations);
     }
-    const auto keys = read_slot<Key>(backend, Slot::keys);
+    auto keys = read_slot<Key>(backend, Slot::keys);
     switch (dispatch.stage) {
         case Stage::assign_cells:
             return keys_assigned(keys, schedule.ball_count, schedule.cell_count);
         case Stage::bitonic_sort:
             return keys_sorted(keys, schedule.ball_count);
+        case Stage::counting_sort:
+            if (Violation violation = keys_sorted(keys, schedule.ball_count)) {
+                return violation;
+            }
+            break;
         case Stage::build_grid:
+            if (schedule.counts_cells) {
+                std::sort(keys.begin(), keys.begin() + schedule.ball_count,
+                          [](const Key& a, const Key& b) { return a < b; });  // the sort comes next
+            }
+            break;
         case Stage::collide:
             break;
     }
@@ -55,7 +66,7 @@ void StageChecker::load(const BallState& state, const Schedule& schedule, bool l
     if (mirror_ != nullptr) {
         mirror_->load(state, schedule, limit_force);
         // The grid as well: it may be used by more than one substep.
-        for (const Slot slot : {Slot::status, Slot::keys, Slot::cell_ranges, Slot::built_positions}) {
+        for (const Slot slot : {Slot::status, Slot::keys, Slot::cell_ranges, Slot::used_tiles, Slot::built_positions}) {
             mirror_->write(slot, backend_.read(slot));
         }
     }
@@ -102,24 +113,35 @@ void StageChecker::clear() {
 
 void StageChecker::compare(const Dispatch& dispatch, const SubstepParams<double>& params, const BallState& before) {
     for (const Slot slot : dispatch.writes) {
-        const Bytes ours = backend_.read(slot);
-        const Bytes theirs = mirror_->read(slot);
+        const Bytes found = backend_.read(slot);
+        const Bytes ours = in_mirror_order(slot, found);
+        const Bytes computed = mirror_->read(slot);
+        const Bytes theirs = in_mirror_order(slot, computed);
         CheckRow& row = row_of(dispatch.stage, slot);
         row.elements += element_count(slot, ours);
+        if (found != computed) {
+            mirror_->write(slot, found);
+        }
         if (ours == theirs) {
             continue;
         }
         const Comparison difference = compare_slot(slot, ours, theirs, bounds(slot, dispatch, params, before));
         add(row, difference, dispatch);
-        mirror_->write(slot, ours);
         bytes_[static_cast<std::size_t>(slot)] = CheckedBytes{dispatch.name, ours, theirs, difference.places};
     }
 }
 
-// Only collide writes floats; its bound follows from the state that it read.
+Bytes StageChecker::in_mirror_order(Slot slot, const Bytes& bytes) {
+    if (slot == Slot::tickets) {
+        return tickets_in_order(bytes, read_slot<Key>(backend_, Slot::keys));
+    }
+    return any_order(slot) ? scattered_in_order(bytes, read_slot<CellRange>(backend_, Slot::cell_ranges)) : bytes;
+}
+
+// Only collide writes floats of its own; its bound follows from the state that it read.
 std::vector<double> StageChecker::bounds(Slot slot, const Dispatch& dispatch, const SubstepParams<double>& params,
                                          const BallState& before) {
-    if (dispatch.stage != Stage::collide || slot == Slot::status) {
+    if (dispatch.program.shader != Shader::collide || slot == Slot::status) {
         return {};
     }
     CollideBound bound = collide_bound(params, dispatch.program.features, before.positions, before.velocities,

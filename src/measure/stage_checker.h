@@ -70,6 +70,7 @@ private:
     void compare(const Dispatch& dispatch, const SubstepParams<double>& params, const BallState& before);
     std::vector<double> bounds(Slot slot, const Dispatch& dispatch, const SubstepParams<double>& params,
                                const BallState& before);
+    Bytes in_mirror_order(Slot slot, const Bytes& bytes);
     void add(CheckRow& row, const Comparison& difference, const Dispatch& dispatch) const;
     CheckRow& row_of(Stage stage, Slot slot);
     void check_invariant(const Schedule& schedule, const Dispatch& dispatch, const SubstepParams<double>& params,

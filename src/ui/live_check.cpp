@@ -36,6 +36,7 @@ std::string_view stage_promise(Stage stage) {
         case Stage::assign_cells:
             return "every cell id inside the grid";
         case Stage::bitonic_sort:
+        case Stage::counting_sort:
             return "sorted, a permutation";
         case Stage::build_grid:
             return "ranges partition the slots";

@@ -17,7 +17,8 @@ namespace ballpit::ui {
 namespace {
 
 // What no result depends on, unless it is chosen badly.
-constexpr std::array<std::string_view, 4> computing = {"sort", "cell_factor", "grid_reuse", "neighbours"};
+constexpr std::array<std::string_view, 5> computing = {"sort", "sorted_copies", "cell_factor", "grid_reuse",
+                                                       "neighbours"};
 
 const char* backend_text(BackendChoice choice) {
     switch (choice) {

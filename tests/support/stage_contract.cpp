@@ -15,7 +15,7 @@ namespace ballpit::test {
 
 namespace {
 
-constexpr std::array sorts = {SortMethod::bitonic, SortMethod::bitonic_fused};
+constexpr std::array sorts = {SortMethod::bitonic, SortMethod::bitonic_fused, SortMethod::counting};
 
 std::string text_of(const measure::Violation& violation) { return violation.value_or("none"); }
 
@@ -206,6 +206,28 @@ void sorts_every_pattern(Backend& backend, SortMethod sort, std::span<const std:
             run_stage(backend, setup, Stage::bitonic_sort);
             const auto sorted = read_slot<Key>(backend, Slot::keys);
             sort_keys(keys);
+            REQUIRE(same(sorted, keys));
+            REQUIRE(text_of(measure::keys_sorted(sorted, count)) == "none");
+        }
+    }
+}
+
+void counts_and_sorts_every_pattern(Backend& backend, std::span<const std::uint32_t> counts) {
+    for (const std::uint32_t count : counts) {
+        const BallState state = placed_balls(Placement::uniform, count);
+        const SubstepSetup setup = setup_for(state, contact_features(), SortMethod::counting);
+        backend.load(state, setup.schedule, true);
+        // One after the other on the same table: what is left of the one before must not show.
+        for (const Pattern pattern : patterns) {
+            CAPTURE(count, static_cast<int>(pattern));
+            auto keys = keys_in(pattern, count);
+            write_slot(backend, Slot::keys, keys);
+            run_stage(backend, setup, Stage::build_grid);
+            sort_keys(keys);
+            const auto ranges = read_slot<CellRange>(backend, Slot::cell_ranges);
+            REQUIRE(same(ranges, counted_ranges(keys, count, setup.schedule.cell_count)));
+            run_stage(backend, setup, Stage::counting_sort);
+            const auto sorted = read_slot<Key>(backend, Slot::keys);
             REQUIRE(same(sorted, keys));
             REQUIRE(text_of(measure::keys_sorted(sorted, count)) == "none");
         }

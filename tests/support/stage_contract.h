@@ -16,6 +16,8 @@ std::vector<std::uint32_t> interesting_counts(std::uint32_t largest);
 void assigns_cells(Backend& backend, std::span<const std::uint32_t> counts);
 void assigns_strange_points(Backend& backend);
 void sorts_every_pattern(Backend& backend, SortMethod sort, std::span<const std::uint32_t> counts);
+/// Counting: the ranges from the keys, then the keys sorted by the ranges.
+void counts_and_sorts_every_pattern(Backend& backend, std::span<const std::uint32_t> counts);
 void builds_the_grid(Backend& backend, std::span<const std::uint32_t> counts);
 void refuses_keys_of_no_cell(Backend& backend);
 void finds_every_pair(Backend& backend, std::span<const std::uint32_t> counts);

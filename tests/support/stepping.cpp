@@ -142,7 +142,7 @@ Simulation stepping_simulation(std::unique_ptr<Backend> backend, SortMethod sort
 void check_every_position(Simulation& simulation) {
     Stepper stepper(simulation, budget);
     const auto seen = straight_run(stepper, simulation, 2);
-    REQUIRE(seen.size() > 40);
+    REQUIRE(seen.size() > 30);  // a counting sort has few dispatches
     for (const auto& [position, bytes] : seen) {
         for (const StepUnit unit : {StepUnit::pass, StepUnit::stage, StepUnit::substep, StepUnit::step}) {
             stepper.go_to(position);
