@@ -37,7 +37,7 @@ void count_missed(const SubstepParams<Real>& params, Features features, std::spa
             continue;  // touches nobody
         }
         const uvec3 cell = cell_coordinates(params, position);
-        const auto meet = [&](std::uint32_t other, std::uint32_t) {
+        const auto meet = [&](std::uint32_t other) {
             const Real reach = radius_of(id) + radius_of(other);
             if (!in_quarantine(positions[other]) &&
                 length_squared<Real>(position - Vec3<Real>(positions[other])) < reach * reach &&
