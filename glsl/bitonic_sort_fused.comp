@@ -1,16 +1,24 @@
 #version 430 core
-// The passes whose pairs stay inside a tile (j < SORT_TILE_SIZE), one after the other in shared memory: one work group
+// The passes whose pairs stay inside a tile, one after the other in shared memory: one work group
 // a tile. A thread takes eight keys through up to three passes at a time, so there is a barrier for three passes.
 // dispatch_constants: first k, last k, j of the first pass.
 #include "shared/dispatch.glsl"
 #include "shared/keys.glsl"
 #include "shared/exchange.glsl"
 
-layout(local_size_x = SORT_GROUP_SIZE) in;
+#ifdef SMALL_TILES
+#define TILE_SIZE SORT_SMALL_TILE_SIZE
+#define THREADS SORT_SMALL_GROUP_SIZE
+#else
+#define TILE_SIZE SORT_TILE_SIZE
+#define THREADS SORT_GROUP_SIZE
+#endif
+
+layout(local_size_x = THREADS) in;
 
 layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock { uint key_count; } params;
 
-shared Key tile[SORT_TILE_SIZE];
+shared Key tile[TILE_SIZE];
 
 // Where a slot of the tile lies in shared memory: threads next to each other would otherwise ask the same bank.
 uint place_of(uint slot) { return slot ^ (slot >> 4u & 15u); }
@@ -29,9 +37,9 @@ void exchange_in_tile(uint first_slot, uint k, uint j, uint passes) {
 }
 
 void main() {
-    uint first_slot = group_index() * SORT_TILE_SIZE;
+    uint first_slot = group_index() * TILE_SIZE;
     // Fewer keys than a tile: the rest of the tile takes part as sentinels and is not written back.
-    for (uint i = gl_LocalInvocationIndex; i < SORT_TILE_SIZE; i += SORT_GROUP_SIZE) {
+    for (uint i = gl_LocalInvocationIndex; i < TILE_SIZE; i += THREADS) {
         tile[place_of(i)] = first_slot + i < params.key_count ? keys[first_slot + i] : Key(SENTINEL, SENTINEL);
     }
     uint j = dispatch_constants.z;
@@ -47,8 +55,8 @@ void main() {
     }
     memoryBarrierShared();
     barrier();
-    for (uint i = gl_LocalInvocationIndex; i < SORT_TILE_SIZE && first_slot + i < params.key_count;
-         i += SORT_GROUP_SIZE) {
+    for (uint i = gl_LocalInvocationIndex; i < TILE_SIZE && first_slot + i < params.key_count;
+         i += THREADS) {
         keys[first_slot + i] = tile[place_of(i)];
     }
 }

@@ -17,7 +17,7 @@ uvec4 counts_of(uint cell) {
     uint last = params.cell_count - 1u;
     uvec4 counts = uvec4(cell_ranges[min(cell, last)].end, cell_ranges[min(cell + 1u, last)].end,
                          cell_ranges[min(cell + 2u, last)].end, cell_ranges[min(cell + 3u, last)].end);
-    return mix(uvec4(0u), counts, lessThanEqual(uvec4(cell) + uvec4(0u, 1u, 2u, 3u), uvec4(last)));
+    return counts * uvec4(lessThanEqual(uvec4(cell) + uvec4(0u, 1u, 2u, 3u), uvec4(last)));
 }
 
 uint total(uvec4 counts) { return counts.x + counts.y + counts.z + counts.w; }

@@ -12,7 +12,7 @@ using namespace ballpit;
 TEST_CASE("the fused sort sorts every pattern at every size", "[mirror]") {
     cpu::CpuBackend<float> backend;
     auto counts = test::interesting_counts(65537);
-    counts.insert(counts.end(), {SORT_TILE_SIZE * 3 - 1, SORT_TILE_SIZE * 4 + 1});
+    counts.insert(counts.end(), {SORT_SMALL_TILE_SIZE * 3 - 1, SORT_SMALL_TILE_SIZE * 4 + 1, 131073});
     test::sorts_every_pattern(backend, SortMethod::bitonic_fused, counts);
 }
 
@@ -27,12 +27,12 @@ TEST_CASE("a fused dispatch leaves what its passes leave", "[mirror]") {
             cpu::bitonic_sort(passes, k, j);
         }
     }
-    cpu::bitonic_sort_fused(fused, SORT_TILE_SIZE);
+    cpu::bitonic_sort_fused(fused, SORT_TILE_SIZE, SORT_TILE_SIZE);
     CHECK(std::equal(passes.begin(), passes.end(), fused.begin(), [](const Key& a, const Key& b) { return a == b; }));
     for (std::uint32_t j = SORT_TILE_SIZE; j > 0; j /= 2) {
         cpu::bitonic_sort(passes, 2 * SORT_TILE_SIZE, j);
     }
     cpu::bitonic_sort(fused, 2 * SORT_TILE_SIZE, SORT_TILE_SIZE);
-    cpu::bitonic_sort_fused(fused, 2 * SORT_TILE_SIZE);
+    cpu::bitonic_sort_fused(fused, 2 * SORT_TILE_SIZE, SORT_TILE_SIZE);
     CHECK(std::equal(passes.begin(), passes.end(), fused.begin(), [](const Key& a, const Key& b) { return a == b; }));
 }

@@ -201,9 +201,10 @@ TEST_CASE("the least bytes of a dispatch are those of the slots that it reads an
     const std::size_t keys = 1024 * sizeof(Key);
     CHECK(least_bytes(schedule, Stage::assign_cells) == state + keys);
     CHECK(least_bytes(schedule, Stage::bitonic_sort) == 2 * keys);  // one tile: read once, written once
-    // The table is cleared as a whole; which of its cells are written is the state's affair.
-    CHECK(least_bytes(schedule, Stage::build_grid) == schedule.cell_count * sizeof(CellRange) + keys);
-    CHECK(least_bytes(schedule, Stage::collide) == 4 * state + keys);
+    // Which tiles of the table are cleared, and which of its cells are written, is the state's affair.
+    CHECK(least_bytes(schedule, Stage::build_grid) ==
+          2 * tile_count(schedule.cell_count) * sizeof(std::uint32_t) + keys);
+    CHECK(least_bytes(schedule, Stage::collide) == 8 * state + 2 * keys);  // copied, then read from the copies
     scene.settings.sort = SortMethod::bitonic;
     // A pass reads every key; which of them change places is the state's affair, too.
     CHECK(least_bytes(schedule_of(scene), Stage::bitonic_sort) == 55 * keys);

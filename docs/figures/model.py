@@ -5,7 +5,7 @@ from math import atan2, exp, expm1, floor, log, pi, sqrt
 
 SENTINEL = 0xFFFFFFFF
 GROUP_SIZE = 64
-SORT_TILE_SIZE = 4096
+SORT_TILE_SIZE = 1024      # of up to 65536 keys
 CELLS = (5, 4)          # along x and y, each 1 m wide
 
 # x (m), y (m), radius (m): the largest diameter is the cell width.
@@ -75,6 +75,19 @@ def sort_dispatches(count, fused):
     return dispatches
 
 
+def by_threes(dispatches):
+    """Up to three passes of one k that reach beyond a tile become one dispatch."""
+    grouped = []
+    for done in dispatches:
+        beyond = done[0][1] >= SORT_TILE_SIZE
+        if (beyond and grouped and grouped[-1][0][0] == done[0][0] and grouped[-1][-1][1] >= SORT_TILE_SIZE
+                and len(grouped[-1]) < 3):
+            grouped[-1] = grouped[-1] + done
+        else:
+            grouped.append(done)
+    return grouped
+
+
 def build_grid(keys, ball_count, ranges):
     for slot in range(ball_count):
         cell = keys[slot][0]
@@ -100,15 +113,17 @@ def overlap(a, b):
 
 
 def schedule(ball_count):
-    """(name, groups, reads, writes) of a substep with contacts and the fused sort, of at most two tiles of keys."""
+    """(name, groups, reads, writes) of a substep with contacts and the fused sort."""
     keys = key_count(ball_count)
 
     def groups(invocations):
         return -(-invocations // GROUP_SIZE)
     rows = [("assign_cells", groups(keys), ["positions", "status"], ["keys", "status"])]
-    for done in sort_dispatches(keys, fused=True):
-        (k, j), (k_last, _) = done[0], done[-1]
-        if j >= SORT_TILE_SIZE:
+    for done in by_threes(sort_dispatches(keys, fused=True)):
+        (k, j), (k_last, j_last) = done[0], done[-1]
+        if j >= SORT_TILE_SIZE and len(done) > 1:
+            rows.append((f"bitonic_sort_strides k={k} j={j}..{j_last}", groups(keys // 8), ["keys"], ["keys"]))
+        elif j >= SORT_TILE_SIZE:
             rows.append((f"bitonic_sort k={k} j={j}", groups(keys // 2), ["keys"], ["keys"]))
         else:
             what = f"k={k} j={j}..1" if k == k_last else f"k={k}..{k_last}"

@@ -30,9 +30,10 @@ enum class Feature : std::uint32_t {
     compensated = 1u << 16,     // what rounding leaves out of positions and velocities is kept and added later
     semi_implicit = 1u << 17,   // a dashpot that no substep is too long for
     sorted_copies = 1u << 18,   // collide reads the state in the order of the sorted keys
+    small_tiles = 1u << 19,     // of the fused sort alone
 };
 
-inline constexpr std::array<std::string_view, 19> feature_defines = {"LAW_GRAVITY",
+inline constexpr std::array<std::string_view, 20> feature_defines = {"LAW_GRAVITY",
                                                                      "LAW_DRAG",
                                                                      "LAW_CONTACT",
                                                                      "LAW_DASHPOT",
@@ -50,7 +51,8 @@ inline constexpr std::array<std::string_view, 19> feature_defines = {"LAW_GRAVIT
                                                                      "DIAGNOSTICS",
                                                                      "LAW_COMPENSATED",
                                                                      "LAW_SEMI_IMPLICIT",
-                                                                     "SORTED_COPIES"};
+                                                                     "SORTED_COPIES",
+                                                                     "SMALL_TILES"};
 
 struct Features {
     std::uint32_t bits = 0;

@@ -72,7 +72,7 @@ std::size_t least_bytes(const Dispatch& dispatch, const Schedule& schedule) {
         sum += slot == Slot::cell_ranges ? 0 : bytes[static_cast<std::size_t>(slot)];
     }
     for (const Slot slot : dispatch.writes) {
-        const bool in_part = (slot == Slot::cell_ranges && shader != Shader::clear_cells) ||
+        const bool in_part = slot == Slot::cell_ranges || slot == Slot::used_tiles ||
                              (slot == Slot::keys && shader == Shader::bitonic_sort);
         sum += in_part ? 0 : bytes[static_cast<std::size_t>(slot)];
     }

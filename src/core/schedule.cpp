@@ -100,9 +100,11 @@ struct Builder {
             k_first == k_last
                 ? "bitonic_sort_fused k=" + std::to_string(k_first) + " j=" + std::to_string(j_first) + "..1"
                 : "bitonic_sort_fused k=" + std::to_string(k_first) + ".." + std::to_string(k_last);
-        const std::uint32_t tiles = std::max(1u, schedule.key_count / SORT_TILE_SIZE);
-        add(Stage::bitonic_sort, name, Shader::bitonic_sort_fused, groups_for(tiles, 1), {k_first, k_last, j_first, 0},
-            {Slot::keys}, {Slot::keys});
+        const std::uint32_t tile = sort_tile_size(schedule.key_count);
+        const std::uint32_t tiles = std::max(1u, schedule.key_count / tile);
+        add(Stage::bitonic_sort, name, Shader::bitonic_sort_fused, groups_for(tiles, 1),
+            {k_first, k_last, j_first, tile}, {Slot::keys}, {Slot::keys});
+        schedule.dispatches.back().program.features.add(Feature::small_tiles, tile == SORT_SMALL_TILE_SIZE);
     }
 
     void sort_pass_by_pass() const {
@@ -117,7 +119,7 @@ struct Builder {
         if (schedule.key_count < 2) {
             return;
         }
-        const std::uint32_t tile = std::min<std::uint32_t>(SORT_TILE_SIZE, schedule.key_count);
+        const std::uint32_t tile = std::min(sort_tile_size(schedule.key_count), schedule.key_count);
         fused(2, tile, 1);
         for (std::uint32_t k = 2 * tile; k <= schedule.key_count && k != 0; k *= 2) {
             passes_beyond(k, tile);
@@ -204,6 +206,10 @@ Groups groups_for(std::uint32_t invocations, std::uint32_t group_size) {
         return {groups, 1};
     }
     return {FOLDED_WIDTH, (groups + FOLDED_WIDTH - 1) / FOLDED_WIDTH};
+}
+
+std::uint32_t sort_tile_size(std::uint32_t key_count) {
+    return key_count <= SORT_SMALL_KEYS ? SORT_SMALL_TILE_SIZE : SORT_TILE_SIZE;
 }
 
 std::uint32_t tile_count(std::uint32_t cell_count) { return (cell_count + TILE_CELLS - 1) / TILE_CELLS; }

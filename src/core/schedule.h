@@ -121,6 +121,9 @@ inline constexpr std::uint32_t widest_dispatch = 65535;  // GL_MAX_COMPUTE_WORK_
 /// Groups that cover this many invocations of groups of `group_size`.
 Groups groups_for(std::uint32_t invocations, std::uint32_t group_size);
 
+/// Keys of a tile of the fused sort, where there are so many in all.
+std::uint32_t sort_tile_size(std::uint32_t key_count);
+
 /// Tiles of the cell table, the last one perhaps not whole.
 std::uint32_t tile_count(std::uint32_t cell_count);
 

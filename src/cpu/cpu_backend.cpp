@@ -175,7 +175,7 @@ void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParam
         case Shader::bitonic_sort:
             return bitonic_sort(keys_, dispatch.constants[0], dispatch.constants[1]);
         case Shader::bitonic_sort_fused:
-            return bitonic_sort_fused(keys_, dispatch.constants[1]);
+            return bitonic_sort_fused(keys_, dispatch.constants[1], dispatch.constants[3]);
         case Shader::bitonic_sort_strides:
             return bitonic_sort_strides(keys_, dispatch.constants[0], dispatch.constants[1], dispatch.constants[2]);
         case Shader::clear_cells:
