@@ -12,45 +12,49 @@ layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock { uint cell_count; } 
 layout(std430, binding = SLOT_CELL_RANGES) buffer CellRangesBlock { CellRange cell_ranges[]; };
 layout(std430, binding = BINDING_TILE_COUNTS) readonly buffer TileCountsBlock { uint tile_counts[]; };
 
-// How many balls four cells in a row have. One after the other in the text: the sixteen reads of a thread wait together.
-uvec4 counts_of(uint cell) {
-    uint last = params.cell_count - 1u;
-    uvec4 counts = uvec4(cell_ranges[min(cell, last)].end, cell_ranges[min(cell + 1u, last)].end,
-                         cell_ranges[min(cell + 2u, last)].end, cell_ranges[min(cell + 3u, last)].end);
-    return counts * uvec4(lessThanEqual(uvec4(cell) + uvec4(0u, 1u, 2u, 3u), uvec4(last)));
-}
+// One number a cell and one for the end of the tile. Each thread has cells in a row, and threads next to each other must
+// not ask the same bank of memory: after sixteen numbers one is left out.
+shared uint numbers[TILE_CELLS + TILE_CELLS / THREAD_CELLS + 1];
 
-uint total(uvec4 counts) { return counts.x + counts.y + counts.z + counts.w; }
-
-// Gives four cells their ranges, the first one from slot `first` on, and returns the slot behind them.
-uint give_ranges(uint cell, uvec4 counts, uint first) {
-    for (uint i = 0u; i < 4u; ++i) {
-        if (counts[i] > 0u) {   // an empty cell stays (0, 0)
-            cell_ranges[cell + i] = CellRange(first, first + counts[i]);
-        }
-        first += counts[i];
-    }
-    return first;
-}
+uint place_of(uint cell) { return cell + cell / THREAD_CELLS; }
 
 void main() {
     uint tile = group_index();
-    uint tile_cell = tile * TILE_CELLS;
-    if (tile_cell >= params.cell_count || used_tiles[tile] == 0u) {
+    uint first_cell = tile * TILE_CELLS;
+    if (first_cell >= params.cell_count || used_tiles[tile] == 0u) {
         return;   // the whole group
     }
+    uint thread = gl_LocalInvocationIndex;
+    uint cells = min(params.cell_count - first_cell, TILE_CELLS);
+    for (uint cell = thread; cell < TILE_CELLS; cell += TILE_GROUP_SIZE) {
+        numbers[place_of(cell)] = cell < cells ? cell_ranges[first_cell + cell].end : 0u;
+    }
     uint before = 0u;
-    for (uint i = gl_LocalInvocationIndex; i < tile; i += TILE_GROUP_SIZE) {
+    for (uint i = thread; i < tile; i += TILE_GROUP_SIZE) {
         before += tile_counts[i];
     }
-    uint cell = tile_cell + gl_LocalInvocationIndex * THREAD_CELLS;
-    uvec4 a = counts_of(cell);
-    uvec4 b = counts_of(cell + 4u);
-    uvec4 c = counts_of(cell + 8u);
-    uvec4 d = counts_of(cell + 12u);
-    uint first = group_sum(before) + sum_before(total(a) + total(b) + total(c) + total(d));
-    first = give_ranges(cell, a, first);
-    first = give_ranges(cell + 4u, b, first);
-    first = give_ranges(cell + 8u, c, first);
-    give_ranges(cell + 12u, d, first);
+    before = group_sum(before);   // after its barriers the counts are there, too
+
+    uint own = 0u;
+    for (uint i = 0u; i < THREAD_CELLS; ++i) {
+        own += numbers[place_of(thread * THREAD_CELLS + i)];
+    }
+    uint first = before + sum_before(own);
+    for (uint i = 0u; i < THREAD_CELLS; ++i) {
+        uint place = place_of(thread * THREAD_CELLS + i);
+        uint count = numbers[place];
+        numbers[place] = first;   // from a count to the first slot
+        first += count;
+    }
+    if (thread == TILE_GROUP_SIZE - 1u) {
+        numbers[place_of(TILE_CELLS)] = first;
+    }
+    memoryBarrierShared();
+    barrier();
+    for (uint cell = thread; cell < cells; cell += TILE_GROUP_SIZE) {
+        CellRange range = CellRange(numbers[place_of(cell)], numbers[place_of(cell + 1u)]);
+        if (range.first < range.end) {   // an empty cell stays (0, 0)
+            cell_ranges[first_cell + cell] = range;
+        }
+    }
 }

@@ -5,7 +5,7 @@ from math import atan2, exp, expm1, floor, log, pi, sqrt
 
 SENTINEL = 0xFFFFFFFF
 GROUP_SIZE = 64
-SORT_TILE_SIZE = 1024      # of up to 65536 keys
+SORT_TILE_SIZE = 2048      # of up to 65536 keys
 CELLS = (5, 4)          # along x and y, each 1 m wide
 
 # x (m), y (m), radius (m): the largest diameter is the cell width.

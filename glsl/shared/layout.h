@@ -8,10 +8,11 @@
 #define GROUP_SIZE 64             // threads of a work group, one ball, slot or cell each
 #define SORT_TILE_SIZE 4096       // keys a work group of the fused sort has in shared memory: 8 B each, 32 KiB in all
 #define SORT_GROUP_SIZE 512       // its threads, eight keys each
-#define SORT_SMALL_TILE_SIZE 1024 // the same where there are few keys: more groups, for all of a device to work
-#define SORT_SMALL_GROUP_SIZE 128
+#define SORT_SMALL_TILE_SIZE 2048 // the same where there are few keys: more groups, for all of a device to work
+#define SORT_SMALL_GROUP_SIZE 256
 #define SORT_SMALL_KEYS 65536     // few: up to so many
 #define STRIDE_KEYS 8             // keys that three passes connect: a thread takes them through all three
+#define NEAR_SLOTS 16             // balls within reach that a thread of collide notes before it adds up their forces
 #define TILE_GROUP_SIZE 256       // threads of a work group that goes through a tile of the cell table
 #define TILE_CELLS 4096           // cells of a tile
 #define FOLDED_WIDTH 32768        // groups of a row, where a dispatch has more than the 65535 that GL guarantees

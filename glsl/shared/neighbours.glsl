@@ -19,17 +19,36 @@ CellRange row_range(uvec3 middle, uint y, uint z) {
     return row;
 }
 
+#ifdef SORTED_COPIES
+// First all that are near enough are found, then their forces are added, both in one order. Threads next to each other
+// find different ones: were each force added where its ball is found, nearly all of them would wait for a few each time.
+shared uint near_slots[NEAR_SLOTS * GROUP_SIZE];
+
+void add_near(Ball a, uint count, inout NEIGHBOUR_SUM sum) {
+    for (uint i = 0u; i < count; ++i) {
+        add_pair(a, near_slots[i * GROUP_SIZE + gl_LocalInvocationIndex], sum);
+    }
+}
+#endif
+
 void add_neighbours(Ball a, inout NEIGHBOUR_SUM sum) {
     uvec3 middle = cell_coordinates(a.position);
     CellRange rows[9];   // all at once: to ask memory for one after the other would take nine times as long
     for (uint row = 0u; row < 9u; ++row) {
         rows[row] = row_range(middle, middle.y + row % 3u - 1u, middle.z + row / 3u - 1u);
     }
+#ifdef SORTED_COPIES
+    uint count = 0u;
+#endif
     for (uint row = 0u; row < 9u; ++row) {
         for (uint slot = rows[row].first; slot < rows[row].end; ++slot) {
 #ifdef SORTED_COPIES
-            if (slot != a.place) {
-                add_pair(a, slot, sum);
+            if (within_reach(a, slot) && slot != a.place) {
+                near_slots[count * GROUP_SIZE + gl_LocalInvocationIndex] = slot;
+                if (++count == NEAR_SLOTS) {
+                    add_near(a, count, sum);
+                    count = 0u;
+                }
             }
 #else
             uint id = keys[slot].ball_id;
@@ -39,4 +58,7 @@ void add_neighbours(Ball a, inout NEIGHBOUR_SUM sum) {
 #endif
         }
     }
+#ifdef SORTED_COPIES
+    add_near(a, count, sum);
+#endif
 }

@@ -40,6 +40,17 @@ float pair_force(Ball a, uint place, vec3 normal, float overlap) {
 #endif
 }
 
+#ifdef SORTED_COPIES
+// Whether touches() would find a contact, or would without quarantine: the same arithmetic.
+bool within_reach(Ball a, uint place) {
+    vec4 position = positions[place];
+    precise vec3 offset = a.position - position.xyz;
+    precise float reach = a.radius + radius_of(position);
+    precise float reach_squared = reach * reach;
+    return ordered_dot(offset, offset) < reach_squared;
+}
+#endif
+
 // A contact, where there is one: its normal, away from the other ball, the overlap (m), and the sum of the radii (m).
 bool touches(Ball a, uint place, out vec3 normal, out float overlap, out float radii) {
     vec4 position = positions[place];

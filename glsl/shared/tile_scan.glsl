@@ -1,6 +1,6 @@
 // A work group goes through a tile of the cell table: each thread has TILE_CELLS / TILE_GROUP_SIZE cells in a row, and
 // sums over the group are made in shared memory.
-#define THREAD_CELLS (TILE_CELLS / TILE_GROUP_SIZE)   // 16
+#define THREAD_CELLS (TILE_CELLS / TILE_GROUP_SIZE)
 
 shared uint partial[TILE_GROUP_SIZE];
 
