@@ -1,5 +1,7 @@
 #include "support/fuzz_stages.h"
 
+#include <algorithm>
+
 #include "core/quarantine.h"
 #include "measure/invariants.h"
 #include "measure/momentum.h"
@@ -30,13 +32,19 @@ void check_stage(Simulation& simulation, const Dispatch& dispatch, const BallSta
             place);
         return;
     }
-    const auto keys = read_slot<Key>(backend, Slot::keys);
+    auto keys = read_slot<Key>(backend, Slot::keys);
     if (dispatch.stage == Stage::assign_cells) {
         require("every key is of the grid", measure::keys_assigned(keys, schedule.ball_count, schedule.cell_count),
                 place);
     } else if (dispatch.stage == Stage::bitonic_sort) {
         require("keys are sorted", measure::keys_sorted(keys, schedule.ball_count), place);
     } else {
+        if (dispatch.stage == Stage::counting_sort) {
+            require("keys are sorted", measure::keys_sorted(keys, schedule.ball_count), place);
+        } else if (schedule.counts_cells) {
+            std::sort(keys.begin(), keys.begin() + schedule.ball_count,
+                      [](const Key& a, const Key& b) { return a < b; });  // the sort comes next
+        }
         const auto ranges = read_slot<CellRange>(backend, Slot::cell_ranges);
         require("ranges partition the slots", measure::ranges_partition(ranges, keys, schedule.ball_count), place);
         if (simulation.settings().cell_factor >= 1.0) {
@@ -83,7 +91,7 @@ void run_dispatches(Simulation& simulation, const BallState& before, const FuzzB
         } else {
             simulation.backend().run(schedule, simulation.params(), first, last);
         }
-        check_stage(simulation, schedule.dispatches[first], before, place);
+        check_stage(simulation, schedule.dispatches[last - 1], before, place);
         first = last;
     }
 }
