@@ -58,8 +58,10 @@ private:
 
 TEST_CASE_METHOD(LayoutTest, "the uniform block of every shader has its binding", "[gpu-layout]") {
     for (const Shader shader :
-         {Shader::assign_cells, Shader::bitonic_sort, Shader::bitonic_sort_fused, Shader::clear_cells,
-          Shader::build_grid, Shader::count_missed, Shader::keep_places, Shader::collide}) {
+         {Shader::assign_cells, Shader::bitonic_sort, Shader::bitonic_sort_fused, Shader::bitonic_sort_strides,
+          Shader::clear_cells, Shader::build_grid, Shader::count_cells, Shader::count_tiles, Shader::scan_cells,
+          Shader::scatter_keys, Shader::order_keys, Shader::count_missed, Shader::keep_places, Shader::gather,
+          Shader::collide}) {
         CAPTURE(shader_name(shader));
         CHECK(property(id_of(shader), GL_UNIFORM_BLOCK, "ParamsBlock", GL_BUFFER_BINDING) == BLOCK_PARAMS);
     }
@@ -118,7 +120,11 @@ TEST_CASE_METHOD(LayoutTest, "work groups have the sizes that the schedule count
         std::array<GLint, 3> size{};
         glGetProgramiv(id_of(shader), GL_COMPUTE_WORK_GROUP_SIZE, size.data());
         CAPTURE(shader_name(shader));
-        CHECK(size[0] == (shader == Shader::bitonic_sort_fused ? SORT_GROUP_SIZE : GROUP_SIZE));
+        const bool by_tile =
+            shader == Shader::clear_cells || shader == Shader::count_tiles || shader == Shader::scan_cells;
+        CHECK(size[0] == (shader == Shader::bitonic_sort_fused ? SORT_GROUP_SIZE
+                          : by_tile                            ? TILE_GROUP_SIZE
+                                                               : GROUP_SIZE));
         CHECK(size[1] == 1);
         CHECK(size[2] == 1);
     }
@@ -128,6 +134,7 @@ TEST_CASE_METHOD(LayoutTest, "what OpenGL 4.3 guarantees is enough", "[gpu-layou
     CHECK(SORT_TILE_SIZE * sizeof(Key) <= 32768);  // GL_MAX_COMPUTE_SHARED_MEMORY_SIZE
     CHECK(SORT_GROUP_SIZE <= 1024);                // GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS
     CHECK(SLOT_COMPENSATIONS == 8);                // GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS; beyond, devices are asked
-    CHECK(SLOT_COUNT == 10);
-    CHECK(2 * SORT_GROUP_SIZE <= SORT_TILE_SIZE);
+    CHECK(SLOT_COUNT == 16);
+    CHECK(STRIDE_KEYS * SORT_GROUP_SIZE == SORT_TILE_SIZE);
+    CHECK(STRIDE_KEYS * SORT_SMALL_GROUP_SIZE == SORT_SMALL_TILE_SIZE);
 }

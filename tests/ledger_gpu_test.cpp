@@ -73,7 +73,7 @@ TEST_CASE_METHOD(GlFixture, "a shader that reads what it could do without is not
     CHECK(test::changed_by_radii_and_masses(reads_mass, test::Crowd::mono_pile) > 10);
     const test::ShaderCopy velocity;
     velocity.replace("shared/pair.glsl", "return spring_force(overlap);",
-                     "return spring_force(overlap) + 1e-30 * velocities[other].x;");
+                     "return spring_force(overlap) + 1e-30 * velocities[place].x;");
     gpu::GpuBackend reads_velocity(velocity.path());
     CHECK(test::changed_by_other_velocities(reads_velocity, test::Crowd::elastic_gas) > 10);
 }

@@ -50,6 +50,7 @@ Scene sized(Scene scene) {
     scene.half_extent = dvec3(half);
     scene.fill->region = {dvec3(-half), dvec3(half)};
     scene.settings.laws.diagnostics = false;
+    scene.settings.sorted_copies = false;  // what is written by hand reads the state where it is
     return scene;
 }
 

@@ -44,7 +44,7 @@ const std::vector<PlantedBug>& planted_bugs() {
          {{"bitonic_sort.comp", "(lower & k) == 0u", "(lower & j) == 0u"}}},
         {"the direction comes from the wrong bit, fused",
          Stage::bitonic_sort,
-         {{"bitonic_sort_fused.comp", "& k) == 0u", "& j) == 0u"}},
+         {{"shared/exchange.glsl", "(lower_slot & k) == 0u", "(lower_slot & (k >> 1)) == 0u"}},
          SortMethod::bitonic_fused},
         {"a cell ends one slot early", Stage::build_grid, {{"build_grid.comp", ".end = slot + 1u", ".end = slot"}}},
         {"cells are not cleared", Stage::build_grid, {{"clear_cells.comp", "CellRange(0u, 0u)", "CellRange(0u, 1u)"}}},
@@ -55,7 +55,7 @@ const std::vector<PlantedBug>& planted_bugs() {
         {"reads the state that is being written",
          Stage::collide,
          {{"collide.comp", "writeonly buffer NextPositionsBlock", "buffer NextPositionsBlock"},
-          {"shared/pair.glsl", "vec4 position = positions[other];", "vec4 position = next_positions[other];"}}},
+          {"shared/pair.glsl", "vec4 position = positions[place];", "vec4 position = next_positions[place];"}}},
     };
     return bugs;
 }
@@ -148,8 +148,10 @@ void check_first_named(const ui::StageCheck& check) {
 // One stage after the other, until the check has seen the one that is wrong.
 void step_into(app::Session& session, Stage stage) {
     session.forward(StepUnit::step);
-    for (int i = 0; i <= static_cast<int>(stage); ++i) {
-        session.forward(StepUnit::stage);
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(stage); ++i) {
+        if (static_cast<Stage>(i) != Stage::counting_sort) {  // not with a bitonic sort
+            session.forward(StepUnit::stage);
+        }
     }
 }
 
@@ -237,8 +239,8 @@ TEST_CASE_METHOD(GlFixture, "on the CPU backend the mirror has nothing to compar
     session.forward(StepUnit::step);
     const ui::LiveCheckState state = state_of(check);
     CHECK(state.mirror_computes);
-    for (std::size_t i = 0; i < stage_count; ++i) {
-        CHECK(ui::stage_badge(state, static_cast<Stage>(i)).text == "promise kept");
+    for (const Dispatch& dispatch : session.simulation().schedule().dispatches) {
+        CHECK(ui::stage_badge(state, dispatch.stage).text == "promise kept");
     }
 }
 

@@ -169,7 +169,7 @@ TEST_CASE("badges: green, amber, red, and what follows a red one is not judged",
         stage = {true, true, 8192, 0, 0, 0, 0.0, "", {}, {}};
     }
     CHECK(ui::stage_badge(check, Stage::bitonic_sort).text == "0 of 8\u2009192 differ");
-    ui::StageCheck& collide = check.stages[3];
+    ui::StageCheck& collide = check.stages[static_cast<std::size_t>(Stage::collide)];
     collide.differing = 12;
     collide.max_ulp = 2;
     collide.of_bound = 0.25;

@@ -102,7 +102,12 @@ Json bench_row_json(const BenchRow& row, const DeviceLimits& limits) {
     Json spread = Json::object();
     Json bytes = Json::object();
     Json shares = Json::object();
+    const bool counted = row.stage_bytes[static_cast<std::size_t>(Stage::counting_sort)] != 0;
+    const Stage other_sort = counted ? Stage::bitonic_sort : Stage::counting_sort;
     for (std::size_t stage = 0; stage < stage_count; ++stage) {
+        if (static_cast<Stage>(stage) == other_sort) {
+            continue;
+        }
         const std::string name(stage_names[stage]);
         const std::string& why = row.impossible[stage];
         stages[name] = possible_json(row.stage_ms[stage], why);
