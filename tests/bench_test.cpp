@@ -118,6 +118,27 @@ TEST_CASE("a number that cannot be true is no result", "[bench]") {
     CHECK(numbers.find(",1,0,,") != std::string::npos);  // grid_reuse, missed, and no ms_per_substep
 }
 
+TEST_CASE("a picture is told of by its passes", "[bench]") {
+    app::BenchRow row;
+    row.frames.emplace();
+    row.frames->wall_ms = 10.0;
+    row.frames->pass_ms = {app::Sample{1.0}, app::Sample{2.0}, app::Sample{4.0, 5.0, 3.0}, app::Sample{0.5}};
+    const measure::DeviceLimits limits;
+    const app::Json passes = app::bench_row_json(row, limits)["frames"]["passes"];
+    CHECK(passes.size() == view::pass_count);
+    CHECK(passes["surroundings"] == 2.0);
+    CHECK(passes["balls"] == 4.0);
+    std::ostringstream line;
+    app::print_bench_row(line, row, limits);
+    CHECK(line.str().find("passes: shadows 1.000 surroundings 2.000 balls 4.000 overlay 0.500 ms") !=
+          std::string::npos);
+    const app::ReportOrigin origin{{{"device", "d"}, {"driver", "e"}}, "ballpit bench", "today"};
+    const std::string csv = app::bench_csv(std::vector{row}, limits, origin);
+    CHECK(csv.find(",picture_shadows_ms,picture_surroundings_ms,picture_balls_ms,picture_overlay_ms\n") !=
+          std::string::npos);
+    CHECK(csv.find(",1,2,4,0.5\n") != std::string::npos);
+}
+
 TEST_CASE("a row takes fewer steps where they would take too long", "[bench]") {
     Simulation simulation = settled_pile(2000);
     const Checkpoint start = simulation.checkpoint();

@@ -27,6 +27,24 @@ Camera look_at_from_side(Camera camera, const vec3& direction) {
 
 }  // namespace
 
+TEST_CASE_METHOD(test::GlFixture, "each pass of a picture is told of once, in order", "[view]") {
+    Studio studio;
+    studio.picture.show_box = true;
+    studio.set_balls({vec4(0.0f, 0.0f, 0.0f, 0.5f)});
+    std::vector<Pass> passes;
+    std::vector<Pixels> after;
+    studio.framebuffer.bind();
+    studio.renderer.draw(studio.picture, [&](Pass pass) {
+        passes.push_back(pass);
+        after.push_back(studio.framebuffer.pixels());
+    });
+    CHECK(passes == std::vector{Pass::shadows, Pass::surroundings, Pass::balls, Pass::overlay});
+    CHECK(passes.size() == pass_count);
+    CHECK(after[1] != after[2]);
+    CHECK(after[2] != after[3]);
+    CHECK(after[3] == studio.draw());
+}
+
 TEST_CASE_METHOD(test::GlFixture, "the frame block lies in memory as the driver expects it", "[view]") {
     const gl::Program program = load_view_program(source("glsl"), "ball");
     const auto offset_of = [&](const char* member) {

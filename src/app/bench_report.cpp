@@ -40,12 +40,18 @@ double limit_share(const BenchRow& row, std::size_t stage, const DeviceLimits& l
     return limit > 0.0 ? 100.0 * stage_gb_s(row, stage) / limit : 0.0;
 }
 
+Json passes_json(const DrawnFrames& frames) {
+    Json passes = Json::object();
+    for (std::size_t pass = 0; pass < view::pass_count; ++pass) {
+        passes[std::string(view::pass_names[pass])] = median(frames.pass_ms[pass]);
+    }
+    return passes;
+}
+
 Json frames_json(const DrawnFrames& frames) {
-    return {{"ms", median(frames.frame_ms)},
-            {"ms_quartiles", quartiles_json(frames.frame_ms)},
-            {"picture_ms", median(frames.picture_ms)},
-            {"picture_ms_quartiles", quartiles_json(frames.picture_ms)},
-            {"wall_ms", frames.wall_ms}};
+    return {{"ms", median(frames.frame_ms)},           {"ms_quartiles", quartiles_json(frames.frame_ms)},
+            {"picture_ms", median(frames.picture_ms)}, {"picture_ms_quartiles", quartiles_json(frames.picture_ms)},
+            {"passes", passes_json(frames)},           {"wall_ms", frames.wall_ms}};
 }
 
 Json settling_json(const Settling& settling) {
@@ -164,7 +170,11 @@ std::string bench_csv(std::span<const BenchRow> rows, const DeviceLimits& limits
         out << ',' << name << "_gb_s";
     }
     out << ",state,candidates,contacts,bytes_per_ball,cell_table_bytes,steps,frame_ms,picture_ms,wall_frame_ms,hash,"
-           "impossible,copy_gb_s,least_span_ms,date,command\n";
+           "impossible,copy_gb_s,least_span_ms,date,command";
+    for (const std::string_view name : view::pass_names) {
+        out << ",picture_" << name << "_ms";
+    }
+    out << '\n';
     for (const BenchRow& row : rows) {
         out << origin.device["device"] << ',' << origin.device["driver"] << ',' << row.backend << ','
             << quoted(row.scene) << ',' << row.balls << ',' << row.substeps << ',' << row.sort << ',' << row.grid_reuse
@@ -191,7 +201,12 @@ std::string bench_csv(std::span<const BenchRow> rows, const DeviceLimits& limits
         }
         out << ',' << hash_text(row.hash) << ',' << quoted(row.possible() ? "" : impossible_json(row).dump()) << ','
             << copy_of_state(row, limits) << ',' << limits.least_span_ms << ',' << origin.date << ','
-            << quoted(origin.command) << '\n';
+            << quoted(origin.command);
+        for (const Sample& sample : frames.pass_ms) {
+            out << ',';
+            put_sample(out, sample, "");
+        }
+        out << '\n';
     }
     return out.str();
 }
@@ -241,7 +256,11 @@ void print_bench_row(std::ostream& out, const BenchRow& row, const DeviceLimits&
     if (row.frames) {
         out << "         drawn: " << fixed(median(row.frames->frame_ms), 3) << " ms a frame, of that "
             << fixed(median(row.frames->picture_ms), 3) << " ms for the picture; "
-            << fixed(1000.0 / row.frames->wall_ms, 1) << " frames a second on the wall clock\n";
+            << fixed(1000.0 / row.frames->wall_ms, 1) << " frames a second on the wall clock\n         passes:";
+        for (std::size_t pass = 0; pass < view::pass_count; ++pass) {
+            out << ' ' << view::pass_names[pass] << ' ' << fixed(median(row.frames->pass_ms[pass]), 3);
+        }
+        out << " ms\n";
     }
     for (const auto& [name, sample, why] : row.dispatches) {
         out << "         " << std::left << std::setw(34) << name << std::right << std::setw(10)

@@ -135,6 +135,29 @@ void time_frames(Simulation& simulation, std::uint64_t steps, BenchPicture& pict
     row.frames = frames;
 }
 
+// Of the same frames again, the passes of each picture.
+void time_passes(Simulation& simulation, std::uint64_t steps, BenchPicture& picture, DrawnFrames& frames) {
+    BenchTimer timer(simulation.backend());
+    const bool by_the_wall = simulation.backend().name() != "gpu";
+    for (std::uint64_t i = 0; i < steps; ++i) {
+        simulation.step();
+        timer.begin();
+        picture.draw(simulation, [&timer, by_the_wall](view::Pass) {
+            if (by_the_wall) {
+                glFinish();
+            }
+            timer.mark();
+        });
+        timer.end();
+    }
+    glFinish();
+    for (const auto& span : timer.take()) {
+        for (std::size_t pass = 0; pass < view::pass_count; ++pass) {
+            frames.pass_ms[pass].push_back(span.at(pass));
+        }
+    }
+}
+
 // A grid that is used again is not built: then only so many substeps of a step move the bytes of the other stages.
 double share_of_builds(const Schedule& schedule, const Settings& settings) {
     if (schedule.key_count == 0 || settings.grid_reuse == 1) {
@@ -207,9 +230,9 @@ BenchPicture::BenchPicture(const Paths& paths, view::Look look, int width, int h
       renderer_(paths.shaders, view::load_model(paths.assets / "models" / "ball.obj")),
       framebuffer_(width, height) {}
 
-void BenchPicture::draw(Simulation& simulation) {
+void BenchPicture::draw(Simulation& simulation, const view::PassMark& mark) {
     framebuffer_.bind();
-    renderer_.draw(home_picture(simulation, buffers_, look_, framebuffer_.width(), framebuffer_.height()));
+    renderer_.draw(home_picture(simulation, buffers_, look_, framebuffer_.width(), framebuffer_.height()), mark);
 }
 
 BenchRow measure_row(Simulation& simulation, const Checkpoint& start, const Settings& settings, const BenchPlan& plan,
@@ -236,6 +259,8 @@ BenchRow measure_row(Simulation& simulation, const Checkpoint& start, const Sett
     if (plan.picture != nullptr) {
         begin_again(simulation, start, settings);
         time_frames(simulation, row.steps, *plan.picture, row);
+        begin_again(simulation, start, settings);
+        time_passes(simulation, row.steps, *plan.picture, *row.frames);
     }
     refuse_impossible(schedule, limits, row);
     return row;

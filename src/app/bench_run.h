@@ -15,6 +15,7 @@
 #include "gl/framebuffer.h"
 #include "measure/crowding.h"
 #include "measure/device_limits.h"
+#include "view/passes.h"
 #include "view/renderer.h"
 
 namespace ballpit::app {
@@ -29,9 +30,10 @@ struct DispatchTime {
 };
 
 struct DrawnFrames {
-    Sample frame_ms;       // all substeps and the picture
-    Sample picture_ms;     // of that, the picture
-    double wall_ms = 0.0;  // a frame, on the wall clock, queueing included
+    Sample frame_ms;                               // all substeps and the picture
+    Sample picture_ms;                             // of that, the picture
+    std::array<Sample, view::pass_count> pass_ms;  // of pictures that are marked within, hence a little slower
+    double wall_ms = 0.0;                          // a frame, on the wall clock, queueing included
 };
 
 struct BenchRow {
@@ -66,7 +68,7 @@ class BenchPicture {
 public:
     /// Needs a current context. Throws as Screenshot does.
     BenchPicture(const Paths& paths, view::Look look, int width, int height);
-    void draw(Simulation& simulation);
+    void draw(Simulation& simulation, const view::PassMark& mark = {});
 
 private:
     view::Look look_;

@@ -140,7 +140,9 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     bench->add_flag("--dispatches", options.dispatches, "Time every dispatch as well, in a run of its own");
-    bench->add_option("--draw", options.draw, "Time frames with a picture as well, of balls drawn as model or impostor")
+    bench
+        ->add_option("--draw", options.draw,
+                     "Time frames with a picture as well and tell its passes, of balls drawn as model or impostor")
         ->check(CLI::IsMember({"model", "impostor"}));
     add_size_option(*bench, options, "Size of that picture (default 1920x1080)");
     bench->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");

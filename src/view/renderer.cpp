@@ -32,7 +32,7 @@ struct Renderer::Parts {
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(target));
     }
 
-    void draw_picture(const Picture& picture) {
+    void draw_surroundings(const Picture& picture) {
         glViewport(picture.x, picture.y, picture.width, picture.height);
         glScissor(picture.x, picture.y, picture.width, picture.height);
         glEnable(GL_SCISSOR_TEST);
@@ -46,9 +46,9 @@ struct Renderer::Parts {
                 balls.draw_contacts(picture);
             }
         }
-        if (picture.ball_count != 0) {
-            balls.draw_balls(picture);
-        }
+    }
+
+    void draw_overlay(const Picture& picture) {
         if (picture.show_box) {
             surroundings.draw_box();
         }
@@ -65,7 +65,6 @@ struct Renderer::Parts {
             balls.draw_ghosts(picture);
         }
         overlay.draw(picture, true);
-        glDisable(GL_SCISSOR_TEST);
     }
 
     BallDrawing balls;
@@ -85,11 +84,16 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::set_model(const Model& ball_model) { parts_->balls.set_model(ball_model); }
 
-void Renderer::draw(const Picture& picture) {
+void Renderer::draw(const Picture& picture, const PassMark& mark) {
     if (picture.width < 1 || picture.height < 1) {
         return;  // a minimised window
     }
     const gl::DebugGroup group("draw");
+    const auto done = [&mark](Pass pass) {
+        if (mark) {
+            mark(pass);
+        }
+    };
     const layout::FrameParams frame = make_frame(picture);
     parts_->frame.write(std::as_bytes(std::span(&frame, 1)));
     parts_->frame.bind_base(GL_UNIFORM_BUFFER, BLOCK_FRAME);
@@ -104,7 +108,16 @@ void Renderer::draw(const Picture& picture) {
     if (frame.shadow_range != 0.0f) {
         parts_->draw_shadow_map(picture);
     }
-    parts_->draw_picture(picture);
+    done(Pass::shadows);
+    parts_->draw_surroundings(picture);
+    done(Pass::surroundings);
+    if (picture.ball_count != 0) {
+        parts_->balls.draw_balls(picture);
+    }
+    done(Pass::balls);
+    parts_->draw_overlay(picture);
+    done(Pass::overlay);
+    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(0);
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "view/model.h"
+#include "view/passes.h"
 #include "view/picture.h"
 
 namespace ballpit::view {
@@ -22,8 +23,8 @@ public:
 
     /// Fills the picture's rectangle of the bound framebuffer, colour and depth, so that several pictures can stand
     /// side by side. Leaves depth test, culling, blending and scissor off. A ball whose position or radius is not
-    /// finite is not drawn.
-    void draw(const Picture& picture);
+    /// finite is not drawn. `mark`, if any, is told of each pass.
+    void draw(const Picture& picture, const PassMark& mark = {});
 
 private:
     struct Parts;
