@@ -1,7 +1,6 @@
 #include "gpu/gpu_backend.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "core/contact.h"
@@ -17,34 +16,9 @@ namespace ballpit::gpu {
 
 namespace {
 
-// What a checkpoint keeps; everything else follows from it.
-constexpr std::array saved_slots = {Slot::positions, Slot::velocities, Slot::compensations, Slot::damping_ratios,
-                                    Slot::status};
 constexpr std::array grid_slots = {Slot::keys,        Slot::cell_ranges,      Slot::built_positions,
                                    Slot::used_tiles,  Slot::tickets,          Slot::scattered_keys,
                                    Slot::tile_counts, Slot::sorted_positions, Slot::sorted_velocities};
-
-constexpr auto all_slots = [] {
-    std::array<Slot, slot_count> slots{};
-    for (std::size_t i = 0; i < slot_count; ++i) {
-        slots[i] = static_cast<Slot>(i);
-    }
-    return slots;
-}();
-
-struct GpuState final : SavedState {
-    using SavedState::SavedState;
-    std::size_t bytes() const override {
-        std::size_t sum = built_positions.size();
-        for (const gl::Buffer& buffer : buffers) {
-            sum += buffer.size();
-        }
-        return sum;
-    }
-
-    std::array<gl::Buffer, saved_slots.size()> buffers;
-    gl::Buffer built_positions;
-};
 
 std::string gl_text(GLenum name) {
     const auto* text = reinterpret_cast<const char*>(glGetString(name));
@@ -104,11 +78,11 @@ StorageLimits GpuBackend::storage_limits() const {
     return limits;
 }
 
-std::vector<GpuBackend::SlotRoom> GpuBackend::rooms_of(const Schedule& schedule, std::span<const Slot> slots) {
+std::vector<GpuBackend::SlotRoom> GpuBackend::rooms_of(const Schedule& schedule) {
     const auto bytes = bytes_of(schedule);
     std::vector<SlotRoom> rooms;
-    for (const Slot slot : slots) {
-        rooms.push_back({slot, bytes[static_cast<std::size_t>(slot)]});
+    for (std::size_t i = 0; i < slot_count; ++i) {
+        rooms.push_back({static_cast<Slot>(i), bytes[i]});
     }
     return rooms;
 }
@@ -124,7 +98,7 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     expect_storage(schedule, storage_limits());
     compile(schedule);
     const std::vector<float> ratios = damping_ratios_of(state.restitutions, limit_force);
-    std::vector<SlotRoom> rooms = rooms_of(schedule, all_slots);
+    std::vector<SlotRoom> rooms = rooms_of(schedule);
     rooms[static_cast<std::size_t>(Slot::damping_ratios)].bytes = ratios.size() * sizeof(float);
     make_room(rooms);
     const Status clean{};
@@ -147,7 +121,13 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
 void GpuBackend::reschedule(const Schedule& schedule) {
     expect_storage(schedule, storage_limits());
     compile(schedule);
-    make_room(rooms_of(schedule, grid_slots));
+    std::vector<SlotRoom> rooms;
+    for (const SlotRoom& room : rooms_of(schedule)) {
+        if (std::ranges::find(grid_slots, room.slot) != grid_slots.end()) {
+            rooms.push_back(room);
+        }
+    }
+    make_room(rooms);
     forget_grid(schedule);
 }
 
@@ -242,52 +222,6 @@ void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& para
 
 void GpuBackend::swap_states() { hazards_.swap_states(); }
 
-std::unique_ptr<SavedState> GpuBackend::save() {
-    auto state =
-        std::make_unique<GpuState>(static_cast<std::uint32_t>(used_bytes_[physical(Slot::positions)] / sizeof(vec4)));
-    const auto copied = [this](Slot slot) {
-        const std::size_t bytes = used_bytes_[physical(slot)];
-        if (bytes == 0) {
-            return gl::Buffer();
-        }
-        use(slot, Use::copy);
-        gl::Buffer copy(slot_name(slot), bytes);
-        gl::copy(buffer(slot), copy, bytes);
-        return copy;
-    };
-    std::ranges::transform(saved_slots, state->buffers.begin(), copied);
-    state->built_positions = copied(Slot::built_positions);
-    return state;
-}
-
-void GpuBackend::restore(const SavedState& state, const Schedule& schedule) {
-    const auto& saved = dynamic_cast<const GpuState&>(state);
-    std::vector<SlotRoom> rooms = rooms_of(schedule, all_slots);
-    for (std::size_t i = 0; i < saved_slots.size(); ++i) {
-        if (saved_slots[i] != Slot::compensations) {
-            rooms[static_cast<std::size_t>(saved_slots[i])].bytes = saved.buffers[i].size();
-        }
-    }
-    make_room(rooms);
-    const auto fill = [this](Slot slot, const gl::Buffer& bytes) {
-        if (bytes.size() != 0 && bytes.size() == used_bytes_[physical(slot)]) {
-            use(slot, Use::copy);
-            gl::copy(bytes, buffer(slot), bytes.size());
-        }
-    };
-    write(Slot::compensations, Bytes(used_bytes_[physical(Slot::compensations)]));  // where none were saved
-    for (std::size_t i = 0; i < saved_slots.size(); ++i) {
-        fill(saved_slots[i], saved.buffers[i]);
-    }
-    if (!schedule.in_place) {
-        fill(Slot::next_positions, saved.buffers[0]);  // as load() leaves them
-        fill(Slot::next_velocities, saved.buffers[1]);
-    }
-    compile(schedule);
-    forget_grid(schedule);
-    fill(Slot::built_positions, saved.built_positions);
-}
-
 void GpuBackend::request_hash(std::uint64_t tag) {
     use(Slot::positions, Use::storage);
     use(Slot::velocities, Use::storage);
@@ -309,46 +243,6 @@ void GpuBackend::request_reading(std::uint64_t tag, const Schedule& schedule, co
     for (const Slot slot : slots) {
         hazards_.shader_reads(slot);
     }
-}
-
-Bytes GpuBackend::read(Slot slot) {
-    use(slot, Use::copy);
-    Bytes bytes = buffer(slot).read(used_bytes_[physical(slot)]);
-    gl::expect_context();
-    return bytes;
-}
-
-// By way of another buffer: the device then copies when its turn comes. glBufferSubData, too, has to wait for shaders
-// behind a barrier, but a driver (NVIDIA 580.159.04) was seen to let it overtake atomics that were still under way.
-void GpuBackend::write(Slot slot, std::span<const std::byte> bytes) {
-    assert(bytes.size() <= used_bytes_[physical(slot)]);
-    if (!bytes.empty()) {
-        gl::Buffer upload("upload", bytes.size(), GL_STREAM_COPY);
-        upload.write(bytes);
-        use(slot, Use::copy);
-        gl::copy(upload, buffer(slot), bytes.size());
-    }
-}
-
-void GpuBackend::request(Slot slot) {
-    const auto index = static_cast<std::size_t>(slot);
-    if (readbacks_[index].under_way()) {
-        return;
-    }
-    use(slot, Use::copy);
-    readbacks_[index].request(buffer(slot), used_bytes_[physical(slot)]);
-}
-
-std::optional<Bytes> GpuBackend::poll(Slot slot) { return readbacks_[static_cast<std::size_t>(slot)].poll(); }
-
-void GpuBackend::start_history(std::uint32_t entries) {
-    history_.start(entries, used_bytes_[physical(Slot::positions)]);
-}
-
-void GpuBackend::record_history() {
-    use(Slot::positions, Use::copy);
-    use(Slot::velocities, Use::copy);
-    history_.record(buffer(Slot::positions), buffer(Slot::velocities));
 }
 
 std::vector<StageTimes> GpuBackend::take_times() {

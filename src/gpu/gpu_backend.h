@@ -75,7 +75,8 @@ private:
         Slot slot;
         std::size_t bytes;
     };
-    static std::vector<SlotRoom> rooms_of(const Schedule& schedule, std::span<const Slot> slots);
+    /// Every slot, in the order of their numbers.
+    static std::vector<SlotRoom> rooms_of(const Schedule& schedule);
     /// All of them, or NoRoom and nothing has changed.
     void make_room(std::span<const SlotRoom> rooms);
     void compile(const Schedule& schedule);
