@@ -77,19 +77,30 @@ TEST_CASE_METHOD(test::GlFixture, "the frame block lies in memory as the driver 
     CHECK(static_cast<std::size_t>(size) == sizeof(F));
 }
 
-TEST_CASE_METHOD(test::GlFixture, "an impostor covers exactly the pixels whose rays meet the ball", "[view]") {
+TEST_CASE_METHOD(test::GlFixture, "a ball found by ray covers exactly the pixels whose rays meet it", "[view]") {
     Studio studio;
-    studio.picture.look = Look::impostor;
-    const Pixels empty = studio.draw();
-    // In the middle, at the picture's edge where perspective draws an ellipse, and cut by it.
     const Camera camera = studio.picture.camera;
-    for (const vec4& ball : {vec4(0, 0, 0, 0.9f), vec4(2.0f * right(camera), 0.4f), vec4(1.5f * up(camera), 0.3f),
-                             vec4(camera.position + forward(camera) + 0.4f * right(camera), 0.7f)}) {
-        CAPTURE(ball.x, ball.y, ball.z, ball.w);
+    // In the middle, at the picture's edge where perspective draws an ellipse, and cut by it.
+    const std::vector<vec4> balls = {vec4(0, 0, 0, 0.9f), vec4(2.0f * right(camera), 0.4f),
+                                     vec4(1.5f * up(camera), 0.3f)};
+    const vec4 close(camera.position + forward(camera) + 0.4f * right(camera), 0.7f);
+    const auto expect_rays = [&](const Pixels& empty, const vec4& ball) {
+        CAPTURE(studio.picture.look, ball.x, ball.y, ball.z, ball.w);
         studio.set_balls({ball});
         const std::vector<bool> expected = cast_rays(camera, ball);
         REQUIRE(count(expected) > 100);
         CHECK(differences(changed(empty, studio.draw()), expected) <= 4);
+    };
+    for (const Look look : {Look::impostor, Look::simple}) {
+        studio.picture.look = look;
+        studio.set_balls({});
+        const Pixels empty = studio.draw();
+        for (const vec4& ball : balls) {
+            expect_rays(empty, ball);
+        }
+        if (look == Look::impostor) {
+            expect_rays(empty, close);
+        }
     }
 }
 
@@ -112,7 +123,7 @@ TEST_CASE_METHOD(test::GlFixture, "the nearer ball hides the farther one, in eit
     const vec3 towards_eye = -forward(studio.picture.camera);
     const vec4 near_ball{0.5f * towards_eye, 0.3f};
     const vec4 far_ball{-0.5f * towards_eye, 0.5f};
-    for (const Look look : looks) {
+    for (const Look look : {Look::model, Look::impostor, Look::simple}) {
         studio.picture.look = look;
         studio.set_balls({near_ball, far_ball}, {vec4(0, 0, 1, 1), vec4(0)});
         const vec3 fast = pixel_at(studio.draw(), studio.picture, vec3(0.0f));
@@ -236,8 +247,8 @@ TEST_CASE_METHOD(test::GlFixture, "material and texture of the model show", "[vi
         material.texture = {1, 1, {255, 0, 0, 255}};
         material.diffuse = vec3(1.0f);
         studio.renderer.set_model(model);
-        const vec3 red = pixel_at(studio.draw(), studio.picture, vec3(0.0f));
-        CHECK((red.x > 50.0f && red.y == 0.0f && red.z == 0.0f));
+        const vec3 textured = pixel_at(studio.draw(), studio.picture, vec3(0.0f));
+        CHECK((textured.x > 50.0f && textured.y == 0.0f && textured.z == 0.0f));
         material.texture = {};
         material.diffuse = vec3(0.0f, 0.0f, 1.0f);
         studio.renderer.set_model(model);

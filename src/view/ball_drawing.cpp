@@ -9,15 +9,13 @@
 #include <span>
 #include <utility>
 
+#include "view/far_balls.h"
 #include "view/frame.h"
 #include "view/view_program.h"
 
 namespace ballpit::view {
 
 namespace {
-
-// Attribute locations of all ball shaders.
-enum Location : GLuint { at_vertex, at_normal, at_uv, at_ball, at_velocity, at_presence, at_value };
 
 constexpr GLint square_corners = 4;
 constexpr float coarse_below = 32.0f;  // pixels across
@@ -34,7 +32,7 @@ gl::Texture make_texture(const Image& image) {
     return image.pixels.empty() ? gl::Texture(1, 1, white) : gl::Texture(image.width, image.height, image.pixels);
 }
 
-void point_at(gl::VertexArray& array, Location location, const gl::Buffer* buffer, float otherwise) {
+void point_at(gl::VertexArray& array, BallAttribute location, const gl::Buffer* buffer, float otherwise) {
     if (buffer != nullptr) {
         array.floats(location, *buffer, 1, sizeof(float), 0, 1);
         return;
@@ -68,7 +66,7 @@ BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model
       shadow_programs_(shader_folder, "ball_shadow"),
       contact_programs_(shader_folder, "ball_contact"),
       arrow_programs_(shader_folder, "arrow"),
-      far_balls_(shader_folder),
+      far_balls_(shader_folder, "ball_far"),
       simple_balls_(shader_folder) {
     constexpr std::array<glm::vec2, square_corners> corners = {glm::vec2(-1.0f, -1.0f), glm::vec2(1.0f, -1.0f),
                                                                glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, 1.0f)};
@@ -89,12 +87,8 @@ const gl::Program& BallDrawing::use(const LookPrograms& programs, const Picture&
     return program;
 }
 
-// The buffers change places every substep, hence anew for each picture. Without velocities the positions stand in:
-// no shader then looks at them.
-void BallDrawing::point_at_balls(gl::VertexArray& array, const Picture& picture) const {
-    const gl::Buffer& velocities = picture.velocities != nullptr ? *picture.velocities : *picture.positions;
-    array.floats(at_ball, *picture.positions, 4, sizeof(vec4), 0, 1);
-    array.floats(at_velocity, velocities, 4, sizeof(vec4), 0, 1);
+void BallDrawing::point_at_instances(gl::VertexArray& array, const Picture& picture) const {
+    point_at_balls(array, picture, 1);
     point_at(array, at_presence, presences_.empty() ? nullptr : &presence_buffer_, presence_);
     point_at(array, at_value, shows_values(picture) ? picture.values : nullptr, 0.0f);
 }
@@ -163,7 +157,7 @@ void BallDrawing::use_surface(const gl::Program& program, const Surface& surface
 }
 
 void BallDrawing::draw_shadow_map(const Picture& picture) {
-    point_at_balls(square_array_, picture);
+    point_at_instances(square_array_, picture);
     use(shadow_programs_);
     square_array_.bind();
     glEnable(GL_DEPTH_TEST);
@@ -175,7 +169,7 @@ void BallDrawing::draw_contacts(const Picture& picture) {
     if (all_far(picture)) {
         return;  // discs of a few pixels, below balls that hide them
     }
-    point_at_balls(square_array_, picture);
+    point_at_instances(square_array_, picture);
     use(contact_programs_);
     square_array_.bind();
     glEnable(GL_BLEND);
@@ -220,11 +214,11 @@ void BallDrawing::draw_look(const Picture& picture, bool ghosts) {
     }
     if (!faded_ && all_far(picture)) {
         use_surface(far_balls_.use(picture, shows_values(picture)), meshes_.front().surfaces.front());
-        far_balls_.draw(picture);
+        far_balls_.draw(picture, nullptr);
         return;
     }
     if (picture.look != Look::model) {  // simple from near by: points have a largest size
-        point_at_balls(square_array_, picture);
+        point_at_instances(square_array_, picture);
         const gl::Program& program = use(impostor_programs_, picture, ghosts);
         use_surface(program, meshes_.front().surfaces.front());
         square_array_.bind();
@@ -232,7 +226,7 @@ void BallDrawing::draw_look(const Picture& picture, bool ghosts) {
         return;
     }
     Mesh& mesh = mesh_for(picture);
-    point_at_balls(mesh.array, picture);
+    point_at_instances(mesh.array, picture);
     const gl::Program& program = use(model_programs_, picture, ghosts);
     mesh.array.bind();
     (mesh.closed ? glEnable : glDisable)(GL_CULL_FACE);
@@ -249,7 +243,7 @@ void BallDrawing::draw_arrows(const Picture& picture) {
         return;
     }
     constexpr GLsizei corners = 9;  // a shaft of two triangles and a head
-    point_at_balls(ball_array_, picture);
+    point_at_instances(ball_array_, picture);
     use(arrow_programs_);
     ball_array_.bind();
     glEnable(GL_DEPTH_TEST);

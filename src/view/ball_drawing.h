@@ -10,7 +10,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
-#include "view/far_balls.h"
+#include "view/ball_points.h"
 #include "view/model.h"
 #include "view/picture.h"
 #include "view/simple_balls.h"
@@ -72,7 +72,7 @@ private:
     Mesh& mesh_for(const Picture& picture);
     const gl::Program& use(const Programs& programs) const;
     const gl::Program& use(const LookPrograms& programs, const Picture& picture, bool ghosts) const;
-    void point_at_balls(gl::VertexArray& array, const Picture& picture) const;
+    void point_at_instances(gl::VertexArray& array, const Picture& picture) const;
     void draw_look(const Picture& picture, bool ghosts);
     void use_surface(const gl::Program& program, const Surface& surface) const;
 
@@ -81,7 +81,7 @@ private:
     Programs shadow_programs_;
     Programs contact_programs_;
     Programs arrow_programs_;
-    FarBalls far_balls_;
+    BallPoints far_balls_;
     SimpleBalls simple_balls_;
     std::vector<Mesh> meshes_;  // fine, then the coarser one if there is one
     gl::VertexArray square_array_;

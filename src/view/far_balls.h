@@ -1,10 +1,8 @@
-// Many balls from afar: a point each, where a model or a ray would be spent on a few pixels.
+// When many balls are drawn from afar: a point each, where a model or a ray would be spent on a few pixels.
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 
-#include "gl/program.h"
-#include "gl/vertex_array.h"
 #include "view/picture.h"
 
 namespace ballpit::view {
@@ -18,20 +16,5 @@ float largest_across(const Picture& picture);
 
 /// Whether all balls of the picture are drawn so: then they cast no shadows, either.
 bool all_far(const Picture& picture);
-
-class FarBalls {
-public:
-    explicit FarBalls(const std::filesystem::path& shader_folder);
-
-    /// The program in use afterwards, for the surface's uniforms.
-    const gl::Program& use(const Picture& picture, bool valued);
-    /// After that, with the depth test on.
-    void draw(const Picture& picture);
-
-private:
-    gl::Program usual_;
-    gl::Program valued_;
-    gl::VertexArray array_;
-};
 
 }  // namespace ballpit::view

@@ -3,9 +3,7 @@
 
 #include <filesystem>
 
-#include "gl/program.h"
-#include "gl/vertex_array.h"
-#include "view/picture.h"
+#include "view/ball_points.h"
 
 namespace ballpit::view {
 
@@ -21,9 +19,7 @@ public:
     void draw(const Picture& picture);
 
 private:
-    gl::Program usual_;
-    gl::Program valued_;
-    gl::VertexArray array_;
+    BallPoints points_;
     float largest_point_ = 1.0f;  // pixels
 };
 
