@@ -4,9 +4,8 @@
 #include <chrono>
 
 #include "app/budget.h"
-#include "core/error.h"
+#include "app/measured_run.h"
 #include "core/stopwatch.h"
-#include "gl/error.h"
 #include "measure/budget_words.h"
 
 namespace ballpit::app {
@@ -51,19 +50,15 @@ void WindowBudget::update(Session& session, bool open, double now_s, double fram
         state_ = {};
         return;
     }
-    const auto failed = [this](const std::exception& error) {
-        message_ = std::string(error.what()) + " Collisions are not probed.";
-        stop();
-        asked_ = wanted_;
-    };
     state_.substep_ms = substep_ms;
-    try {
+    const auto failure = device_failure([&] {
         look(session, now_s);
         work(session, std::clamp(share_of_frame * frame_ms, least_ms, most_ms));
-    } catch (const DeviceError& error) {
-        failed(error);
-    } catch (const gl::Error& error) {
-        failed(error);
+    });
+    if (failure) {
+        message_ = *failure + " Collisions are not probed.";
+        stop();
+        asked_ = wanted_;
     }
 }
 

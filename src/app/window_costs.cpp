@@ -1,8 +1,5 @@
 #include "app/window_costs.h"
 
-#include "core/error.h"
-#include "gl/error.h"
-
 namespace ballpit::app {
 
 namespace {
@@ -12,43 +9,33 @@ constexpr std::uint32_t most_balls = 1u << 20;
 
 }  // namespace
 
-WindowCosts::Measured WindowCosts::to_measure(const Session& session) {
-    const Simulation& simulation = session.simulation();
-    Settings settings = simulation.settings();
-    settings.pull.reset();
+MeasuredRun WindowCosts::to_measure(const Session& session) {
+    Settings settings = session.simulation().settings();
     settings.balls = 0;  // these two are what the curve is about
     settings.sort = Settings().sort;
-    return {settings, session.scene_changes(), std::string(simulation.backend().name())};
+    return measured_run(session, settings);
 }
 
 void WindowCosts::start(Session& session) {
     const Simulation& simulation = session.simulation();
-    try {
+    const auto failure = device_failure([&] {
         curve_.emplace(
             measure::CostQuestion{simulation.scene(), simulation.settings(), simulation.seed(),
                                   measure::cost_counts(simulation.scene(), most_balls), measure::cost_sorts()},
             session.twin_backend());
         measured_ = to_measure(session);
         running_ = !curve_->done();
-    } catch (const DeviceError& error) {
-        message_ = error.what();
-    }
+    });
+    message_ = failure.value_or(message_);
 }
 
 void WindowCosts::update(bool open) {
     if (!working(open)) {
         return;
     }
-    const auto failed = [this](const std::exception& error) {
-        message_ = std::string(error.what()) + " No more balls are measured.";
+    if (const auto failure = device_failure([this] { running_ = curve_->advance(slice_ms); })) {
+        message_ = *failure + " No more balls are measured.";
         running_ = false;
-    };
-    try {
-        running_ = curve_->advance(slice_ms);
-    } catch (const DeviceError& error) {
-        failed(error);
-    } catch (const gl::Error& error) {
-        failed(error);
     }
 }
 

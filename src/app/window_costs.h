@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/window_session.h"
+#include "app/measured_run.h"
 #include "measure/cost_curve.h"
 #include "ui/costs.h"
 
@@ -28,16 +28,10 @@ public:
 
 private:
     // What a curve holds for.
-    struct Measured {
-        Settings settings;
-        int scene_changes = 0;
-        std::string backend;
-        friend bool operator==(const Measured&, const Measured&) = default;
-    };
-    static Measured to_measure(const Session& session);
+    static MeasuredRun to_measure(const Session& session);
 
     std::optional<measure::CostCurve> curve_;
-    std::optional<Measured> measured_;
+    std::optional<MeasuredRun> measured_;
     bool running_ = false;
     ui::CostsState state_;
     std::string message_;

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/error.h"
 #include "core/stopwatch.h"
 #include "cpu/cpu_backend.h"
-#include "gl/error.h"
 #include "measure/sweep_points.h"
 
 namespace ballpit::app {
@@ -34,12 +32,10 @@ std::optional<double> allowed(const measure::ErrorBudget& budget, measure::Sweep
 
 }  // namespace
 
-WindowExplorer::Measured WindowExplorer::to_measure(const Session& session) {
-    const Simulation& simulation = session.simulation();
-    Settings settings = measure::with_point(simulation.settings(), {});
-    settings.pull.reset();
+MeasuredRun WindowExplorer::to_measure(const Session& session) {
+    Settings settings = measure::with_point(session.simulation().settings(), {});
     settings.cell_factor = Settings().cell_factor;  // each row has its own
-    return {settings, session.scene_changes(), std::string(simulation.backend().name())};
+    return measured_run(session, settings);
 }
 
 void WindowExplorer::start(Session& session) {
@@ -48,7 +44,7 @@ void WindowExplorer::start(Session& session) {
                                     simulation.seed(),  measure::sweep_points(simulation.settings(), {}),
                                     run_seconds,        run_limit_s};
     question.settings.balls -= simulation.added();  // thrown in: none of the scene's start
-    try {
+    const auto failure = device_failure([&] {
         sweep_.emplace(std::move(question),
                        measure::SweepBackends{[&session] { return session.twin_backend(); },
                                               [] { return std::make_unique<cpu::CpuBackend<double>>(); }});
@@ -56,9 +52,8 @@ void WindowExplorer::start(Session& session) {
         running_ = !sweep_->done();
         worked_ms_ = 0.0;
         waited_ms_ = 0.0;
-    } catch (const DeviceError& error) {
-        message_ = error.what();
-    }
+    });
+    message_ = failure.value_or(message_);
 }
 
 void WindowExplorer::update(bool open, double frame_ms) {
@@ -66,20 +61,16 @@ void WindowExplorer::update(bool open, double frame_ms) {
         return;
     }
     waited_ms_ += frame_ms;
-    const auto failed = [this](const std::exception& error) {
-        message_ = std::string(error.what()) + " The sweep ends here.";
-        running_ = false;
-    };
-    try {
+    const auto failure = device_failure([this] {
         const auto start = Clock::now();
         while (running_ && milliseconds_since(start) < slice_ms) {
             running_ = sweep_->advance(slice_ms);
         }
         worked_ms_ += milliseconds_since(start);
-    } catch (const DeviceError& error) {
-        failed(error);
-    } catch (const gl::Error& error) {
-        failed(error);
+    });
+    if (failure) {
+        message_ = *failure + " The sweep ends here.";
+        running_ = false;
     }
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "app/window_session.h"
+#include "app/measured_run.h"
 #include "measure/error_budget.h"
 #include "measure/sweep.h"
 #include "ui/explorer.h"
@@ -31,16 +31,10 @@ public:
 
 private:
     // What a sweep holds for, beside the choices that it compares.
-    struct Measured {
-        Settings settings;
-        int scene_changes = 0;
-        std::string backend;
-        friend bool operator==(const Measured&, const Measured&) = default;
-    };
-    static Measured to_measure(const Session& session);
+    static MeasuredRun to_measure(const Session& session);
 
     std::optional<measure::Sweep> sweep_;
-    std::optional<Measured> measured_;
+    std::optional<MeasuredRun> measured_;
     bool running_ = false;
     double worked_ms_ = 0.0;
     double waited_ms_ = 0.0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.h"
+#include "app/measured_run.h"
 #include "core/ledger.h"
 #include "gl/error.h"
 #include "ui/widgets.h"
@@ -50,18 +50,14 @@ void WindowLaws::update(Session& session, bool open, double now_s, double frame_
         settling_ = false;
         return;
     }
-    const auto failed = [this](const std::exception& error) {
-        message_ = std::string(error.what()) + " The laws are not measured.";
-        measured_ = wanted_;
-        meter_.stop();
-    };
-    try {
+    const auto failure = device_failure([&] {
         measure(session, now_s);
         meter_.update(std::clamp(share_of_frame * frame_ms, least_ms, most_ms));
-    } catch (const DeviceError& error) {
-        failed(error);
-    } catch (const gl::Error& error) {
-        failed(error);
+    });
+    if (failure) {
+        message_ = *failure + " The laws are not measured.";
+        measured_ = wanted_;
+        meter_.stop();
     }
 }
 
