@@ -88,6 +88,8 @@ TEST_CASE("rows of one state have one hash, whatever sorts", "[bench]") {
         CHECK(row.dispatches.size() == simulation.schedule().dispatches.size());
         CHECK(row.dispatches.back().ms.size() == 3);
         CHECK(row.possible());
+        CHECK(row.lost_times == 0);
+        CHECK(row.stages_wall_ms > 0.0);
     }
     CHECK(hashes.front() == hashes.back());
 }
@@ -137,6 +139,19 @@ TEST_CASE("a picture is told of by its passes", "[bench]") {
     CHECK(csv.find(",picture_shadows_ms,picture_surroundings_ms,picture_balls_ms,picture_overlay_ms\n") !=
           std::string::npos);
     CHECK(csv.find(",1,2,4,0.5\n") != std::string::npos);
+}
+
+TEST_CASE("times that the device's clock has lost are told of", "[bench]") {
+    app::BenchRow row;
+    const measure::DeviceLimits limits;
+    std::ostringstream none;
+    app::print_bench_row(none, row, limits);
+    CHECK(none.str().find("left out") == std::string::npos);
+    row.lost_times = 3;
+    std::ostringstream line;
+    app::print_bench_row(line, row, limits);
+    CHECK(line.str().find("3 times are left out") != std::string::npos);
+    CHECK(app::bench_row_json(row, limits)["lost_times"] == 3);
 }
 
 TEST_CASE("a row takes fewer steps where they would take too long", "[bench]") {

@@ -1,6 +1,8 @@
 // Numbers that no device can have reached are told from those that one can.
 #include "measure/device_limits.h"
 
+#include <limits>
+
 #include "support/catch.h"
 
 using namespace ballpit;
@@ -59,4 +61,22 @@ TEST_CASE("what takes less time than the clock can tell is impossible", "[measur
     CHECK(measure::impossible(0.0009, 64, 64, limits).empty());
     CHECK_FALSE(measure::impossible(16e-6, 64, 64, limits).empty());
     CHECK(measure::gb_s(100, 0.0) == 0.0);
+}
+
+TEST_CASE("what the device's clock takes for longer than the run lasted is impossible", "[measure]") {
+    const DeviceLimits limits = device();
+    const std::vector<double> times = {30.0, 34.0, 36.0};  // ms
+    CHECK(measure::impossible(times, 100.0, 64, 64, limits).empty());
+    CHECK(measure::impossible(times, 98.5, 64, 64, limits).empty());  // two clocks
+    const std::string why = measure::impossible(times, 90.0, 64, 64, limits);
+    CHECK(why.find("100 ms by the device's clock") != std::string::npos);
+    CHECK(why.find("90 ms") != std::string::npos);
+    // Single times that are wrong do not show in the median.
+    CHECK_FALSE(measure::impossible(std::vector{1.0, 1.0, 1.67e13}, 3000.0, 64, 64, limits).empty());
+    CHECK_FALSE(measure::impossible(std::vector{1.0, std::numeric_limits<double>::quiet_NaN()}, 3000.0, 64, 64, limits)
+                    .empty());
+    // All else is asked as well.
+    CHECK(measure::impossible(std::vector{1e-4}, 100.0, 64, 64, limits).find("clock can tell") != std::string::npos);
+    CHECK_FALSE(measure::impossible(std::vector{0.01}, 100.0, 100 * mebibyte, 100 * mebibyte, limits).empty());
+    CHECK_FALSE(measure::impossible(std::vector<double>{}, 100.0, 64, 64, limits).empty());  // all of them lost
 }

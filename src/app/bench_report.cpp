@@ -134,6 +134,7 @@ Json bench_row_json(const BenchRow& row, const DeviceLimits& limits) {
                  {"wall_ms_per_substep", row.wall_ms},
                  {"steps", row.steps},
                  {"samples", row.substep_ms.size()},
+                 {"lost_times", row.lost_times},
                  {"stages", stages},
                  {"stages_quartiles", spread},
                  {"stages_least_bytes", bytes},
@@ -170,7 +171,7 @@ std::string bench_csv(std::span<const BenchRow> rows, const DeviceLimits& limits
         out << ',' << name << "_gb_s";
     }
     out << ",state,candidates,contacts,bytes_per_ball,cell_table_bytes,steps,frame_ms,picture_ms,wall_frame_ms,hash,"
-           "impossible,copy_gb_s,least_span_ms,date,command";
+           "impossible,copy_gb_s,least_span_ms,date,command,lost_times";
     for (const std::string_view name : view::pass_names) {
         out << ",picture_" << name << "_ms";
     }
@@ -201,7 +202,7 @@ std::string bench_csv(std::span<const BenchRow> rows, const DeviceLimits& limits
         }
         out << ',' << hash_text(row.hash) << ',' << quoted(row.possible() ? "" : impossible_json(row).dump()) << ','
             << copy_of_state(row, limits) << ',' << limits.least_span_ms << ',' << origin.date << ','
-            << quoted(origin.command);
+            << quoted(origin.command) << ',' << row.lost_times;
         for (const Sample& sample : frames.pass_ms) {
             out << ',';
             put_sample(out, sample, "");
@@ -265,6 +266,9 @@ void print_bench_row(std::ostream& out, const BenchRow& row, const DeviceLimits&
     for (const auto& [name, sample, why] : row.dispatches) {
         out << "         " << std::left << std::setw(34) << name << std::right << std::setw(10)
             << (why.empty() ? fixed(median(sample), 4) + " ms" : "impossible") << "\n";
+    }
+    if (row.lost_times > 0) {
+        out << "         " << row.lost_times << " times are left out: the device's clock gave no result for them\n";
     }
     const Json impossible = impossible_json(row);
     for (const auto& [what, why] : impossible.items()) {

@@ -54,6 +54,7 @@ void time_substeps(Simulation& simulation, std::uint64_t steps, BenchRow& row) {
     simulation.backend().finish();
     row.wall_ms = milliseconds_since(start) / static_cast<double>(steps * row.substeps);
     row.substep_ms = single_parts(timer.take());
+    row.lost_times += steps - row.substep_ms.size();
     for (double& ms : row.substep_ms) {
         ms /= row.substeps;
     }
@@ -73,13 +74,21 @@ void add_stages(BenchRow& row, std::span<const StageTimes> substeps) {
 void time_stages(Simulation& simulation, std::uint64_t steps, BenchRow& row) {
     Backend& backend = simulation.backend();
     backend.set_timing(true);
+    const auto start = Clock::now();
     for (std::uint64_t i = 0; i < steps; ++i) {
         simulation.step();
     }
     backend.finish();
+    const double wall_ms = milliseconds_since(start);
     backend.set_timing(false);
     const std::vector<StageTimes> times = backend.take_times();
     const std::size_t together = row.grid_reuse > 1 ? row.substeps : 1;
+    row.stages_wall_ms = wall_ms / static_cast<double>(together);
+    const std::size_t expected = simulation.schedule().dispatches.empty() ? 0 : steps * row.substeps;
+    row.lost_times += expected - times.size();
+    if (together > 1 && times.size() != expected) {
+        return;  // nobody knows which of them belong together
+    }
     for (std::size_t first = 0; first + together <= times.size(); first += together) {
         add_stages(row, std::span(times).subspan(first, together));
     }
@@ -88,6 +97,7 @@ void time_stages(Simulation& simulation, std::uint64_t steps, BenchRow& row) {
 // Each step's first substep, because a later one may have another list.
 void time_dispatches(Simulation& simulation, std::uint64_t steps, BenchRow& row) {
     BenchTimer timer(simulation.backend());
+    const auto start = Clock::now();
     for (std::uint64_t i = 0; i < steps; ++i) {
         const Schedule& schedule = simulation.schedule();
         timer.begin();
@@ -101,7 +111,10 @@ void time_dispatches(Simulation& simulation, std::uint64_t steps, BenchRow& row)
         simulation.step();  // the rest of it, or, where there is none, another one
     }
     simulation.backend().finish();
-    for (const auto& span : timer.take()) {
+    row.dispatches_wall_ms = milliseconds_since(start);
+    const auto spans = timer.take();
+    row.lost_times += steps - spans.size();
+    for (const auto& span : spans) {
         for (std::size_t d = 0; d < span.size(); ++d) {
             row.dispatches[d].ms.push_back(span[d]);
         }
@@ -132,6 +145,7 @@ void time_frames(Simulation& simulation, std::uint64_t steps, BenchPicture& pict
         frames.frame_ms.push_back(span.at(0) + span.at(1));
         frames.picture_ms.push_back(span.at(1));
     }
+    row.lost_times += steps - frames.frame_ms.size();
     row.frames = frames;
 }
 
@@ -202,18 +216,19 @@ void refuse_impossible(const Schedule& schedule, const measure::DeviceLimits& li
             continue;
         }
         const std::size_t most = largest_dispatch(schedule, stage);
-        row.impossible[i] = measure::impossible(measure::median(row.stage_ms[i]),
+        row.impossible[i] = measure::impossible(row.stage_ms[i], row.stages_wall_ms,
                                                 static_cast<std::size_t>(row.stage_bytes[i]), most, limits);
         bytes += row.stage_bytes[i];
         at_once = std::max(at_once, most);
     }
     for (std::size_t i = 0; i < row.dispatches.size(); ++i) {
         const std::size_t least = least_bytes(schedule.dispatches[i], schedule);
-        row.dispatches[i].impossible = measure::impossible(measure::median(row.dispatches[i].ms), least, least, limits);
+        row.dispatches[i].impossible =
+            measure::impossible(row.dispatches[i].ms, row.dispatches_wall_ms, least, least, limits);
     }
     if (!schedule.dispatches.empty()) {
-        row.impossible_substep =
-            measure::impossible(measure::median(row.substep_ms), static_cast<std::size_t>(bytes), at_once, limits);
+        row.impossible_substep = measure::impossible(row.substep_ms, row.wall_ms * static_cast<double>(row.steps),
+                                                     static_cast<std::size_t>(bytes), at_once, limits);
     }
 }
 

@@ -54,7 +54,10 @@ struct BenchRow {
     Sample substep_ms;                                // a sample a step: its substeps' mean, no mark within
     std::array<Sample, stage_count> stage_ms;         // a sample a substep; a step where not each builds a grid
     double wall_ms = 0.0;                             // a substep, on the wall clock, queueing included
+    double stages_wall_ms = 0.0;                      // all samples of the stages together, on the wall clock
     std::vector<DispatchTime> dispatches;             // on request
+    double dispatches_wall_ms = 0.0;                  // all samples of theirs together
+    std::size_t lost_times = 0;                       // to which the device's clock gave no result (gl::SpanTimer)
     std::optional<DrawnFrames> frames;                // on request
     std::uint64_t hash = 0;                           // of the state in the end: the same for every sort
     std::array<std::string, stage_count> impossible;  // why a stage's number cannot be true; empty where it can

@@ -63,6 +63,9 @@ void Slicer::look_at_time() {
         }
         timed_slices_ = 0;
     }
+    if (timer_.take_lost() != 0) {
+        timed_slices_ = 0;  // another one will tell
+    }
 }
 
 }  // namespace ballpit::gpu

@@ -1,7 +1,10 @@
 #include "measure/device_limits.h"
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
+
+#include "measure/statistics.h"
 
 namespace ballpit::measure {
 
@@ -32,6 +35,18 @@ std::string impossible(double ms, std::size_t bytes, std::size_t at_once, const 
         why << gb_s(bytes, ms) << " GB/s is more than the device can move (it copies " << limit << " GB/s)";
     }
     return why.str();
+}
+
+std::string impossible(std::span<const double> times_ms, double wall_ms, std::size_t bytes, std::size_t at_once,
+                       const DeviceLimits& limits) {
+    const double sum = std::accumulate(times_ms.begin(), times_ms.end(), 0.0);
+    if (!(sum <= clocks_differ * wall_ms + 1.0)) {
+        std::ostringstream why;
+        why.precision(3);
+        why << sum << " ms by the device's clock is more than the " << wall_ms << " ms that the run took on the wall";
+        return why.str();
+    }
+    return impossible(median({times_ms.begin(), times_ms.end()}), bytes, at_once, limits);
 }
 
 }  // namespace ballpit::measure

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,13 @@ double gb_s(std::size_t bytes, double ms);
 /// Why a time cannot be true for something that moves at least `bytes`, of which `at_once` in its largest part; empty
 /// where it can.
 std::string impossible(double ms, std::size_t bytes, std::size_t at_once, const DeviceLimits& limits);
+
+/// The same of the median of some times of one run, no two of which overlap, while the wall's clock saw that run take
+/// `wall_ms` in all.
+std::string impossible(std::span<const double> times_ms, double wall_ms, std::size_t bytes, std::size_t at_once,
+                       const DeviceLimits& limits);
+
+/// What two clocks may differ by, beside a thousandth of a second.
+inline constexpr double clocks_differ = 1.01;
 
 }  // namespace ballpit::measure
