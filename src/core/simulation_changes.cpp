@@ -110,6 +110,8 @@ void Simulation::use(std::unique_ptr<Backend> backend) {
     load_backend(*backend, raw_state());
     backend_ = std::move(backend);
     run_.grid_age = 0;
+    sort_chosen_for_ = 0;  // what was quickest there need not be quickest here
+    choose_sort();
     add_to_status(counted);
     interrupt_meters();
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <limits>
 
+#include "core/error.h"
 #include "core/scene_schedule.h"
 #include "core/simulation.h"
 #include "core/stopwatch.h"
@@ -16,12 +17,17 @@ Schedule Simulation::schedule_for(SortMethod fastest, std::uint32_t ball_count) 
 }
 
 // The quickest of a few times, because whatever else the device does only adds to it. Several builds are run behind one
-// another, as in a scene, so that what waiting for the device costs counts little.
+// another, as in a scene, so that what waiting for the device costs counts little. Infinite where the device has no
+// room for what that sort needs.
 double Simulation::measured_build_ms(SortMethod sort) {
     constexpr int times = 4;
     constexpr int builds = 4;
     const Schedule schedule = schedule_for(sort, schedule_.ball_count);
-    backend_->reschedule(schedule);
+    try {
+        backend_->reschedule(schedule);
+    } catch (const NoRoom&) {
+        return std::numeric_limits<double>::infinity();
+    }
     const auto collide = std::ranges::find(schedule.dispatches, Stage::collide, &Dispatch::stage);
     const auto last = static_cast<std::size_t>(collide - schedule.dispatches.begin());
     const SubstepParams<double> constants = params();
