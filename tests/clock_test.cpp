@@ -1,6 +1,7 @@
 // The clock of the window: fixed dt, slow motion instead of longer steps, no catching up, one step at a time.
 #include "app/clock.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -120,6 +121,25 @@ TEST_CASE("many quick steps still fit a frame that stays short") {
     const auto steps = machine.run(clock, 500, 10.0);
     for (std::size_t i = 50; i < steps.size(); ++i) {
         CHECK(machine.draw_s + machine.step_s * steps[i] <= 0.06);
+        CHECK(steps[i] >= 5);
+    }
+}
+
+TEST_CASE("where two steps make a frame too long, nearly all frames have one") {
+    Clock clock = running_clock();
+    const Machine machine{0.037, 0.009};  // two steps: 83 ms
+    machine.run(clock, 100, 1.0);
+    const auto steps = machine.run(clock, 330, 1.0);
+    CHECK(std::ranges::count(steps, 1) >= 320);
+    CHECK(std::ranges::count(steps, 2) >= 1);  // or it would never learn that steps have become quicker
+    CHECK(std::ranges::max(steps) == 2);
+}
+
+TEST_CASE("steps that have become quicker come in their number again") {
+    Clock clock = running_clock();
+    Machine{0.2, 0.01}.run(clock, 200, 10.0);
+    const auto steps = Machine{0.004, 0.01}.run(clock, 100, 10.0);
+    for (std::size_t i = 50; i < steps.size(); ++i) {
         CHECK(steps[i] >= 5);
     }
 }

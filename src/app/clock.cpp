@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ballpit::app {
 
@@ -10,6 +11,8 @@ namespace {
 constexpr double longest_frame_s = 0.05;  // with steps in it: longer ones make keys and sliders feel late
 constexpr double longest_gap_s = 0.25;    // a window that was hidden or moved is not owed the time
 constexpr int most_steps = 64;
+constexpr int most_patience = 32;  // frames
+constexpr int frames_behind = 4;   // that a device may be, until what it cannot do is seen
 
 }  // namespace
 
@@ -32,12 +35,24 @@ int Clock::steps_for_frame(double wall_s, double dt, double speed) {
     return last_steps_;
 }
 
-// What a step costs cannot be asked for (the GPU runs late), but a frame that got too long can be seen.
+// What a step costs cannot be asked for (the GPU runs late), but a frame that got too long can be seen. Where one step
+// more makes it so again and again, it is tried ever more rarely: each try is a frame that stutters.
 void Clock::adapt(double wall_s) {
     if (last_steps_ > 0 && wall_s > longest_frame_s) {
         allowed_ = std::max(1, static_cast<int>(static_cast<double>(last_steps_) * longest_frame_s / wall_s));
-    } else if (held_back_) {
+        if (std::exchange(watched_, 0) > 0) {
+            patience_ = std::min(2 * patience_, most_patience);
+        }
+        waited_ = 0;
+        return;
+    }
+    if (watched_ > 0 && --watched_ == 0) {
+        patience_ = 1;
+    }
+    if (held_back_ && ++waited_ >= patience_) {
         allowed_ = std::min(allowed_ + 1, most_steps);
+        waited_ = 0;
+        watched_ = frames_behind;
     }
 }
 

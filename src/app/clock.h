@@ -34,6 +34,9 @@ private:
     int last_steps_ = 0;
     std::uint32_t hitches_ = 0;
     bool held_back_ = false;  // whether the last frame ran fewer steps than were due
+    int patience_ = 1;        // frames to wait until one step more is tried: longer, the oftener that was too much
+    int waited_ = 0;          // frames
+    int watched_ = 0;         // frames in which it is still to be seen whether the last step more was too much
 };
 
 }  // namespace ballpit::app

@@ -30,12 +30,20 @@ void Layer::resize(int width, int height) {
 
 void Layer::begin(int width, int height) {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
-    if (!holds(width, height)) {
+    if (holds(width, height)) {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
+    } else {
         resize(width, height);
+        clear(0, 0, width, height);
     }
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
+}
+
+void Layer::clear(int x, int y, int width, int height) const {
     constexpr std::array<GLfloat, 4> nothing{};
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, width, height);
     glClearBufferfv(GL_COLOR, 0, nothing.data());
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void Layer::end() { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before_)); }

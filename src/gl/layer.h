@@ -15,9 +15,11 @@ public:
     /// `program`: a full-screen triangle that takes its colour from texture unit 0, texel by pixel.
     explicit Layer(Program program) : program_(std::move(program)) {}
 
-    /// Makes it the target of drawing, empty; `width` x `height` pixels, as all that follows. Throws Error when the
-    /// device cannot have one of this size.
+    /// Makes it the target of drawing, as it was left; `width` x `height` pixels, as all that follows, and empty where
+    /// that is another size than before. Throws Error when the device cannot have one of this size.
     void begin(int width, int height);
+    /// Between begin() and end(): empties a rectangle of it (pixels from the lower left corner).
+    void clear(int x, int y, int width, int height) const;
     /// What was bound before begin() is the target again.
     void end();
     bool holds(int width, int height) const { return width == width_ && height == height_; }
