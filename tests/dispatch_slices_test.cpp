@@ -53,19 +53,19 @@ TEST_CASE("only dispatches that look at other balls are cut", "[core]") {
     CHECK_FALSE(looks_at_pairs({Shader::collide, {}}));
 }
 
-TEST_CASE("crowding is that of the balls, not of the box", "[core]") {
+TEST_CASE("the density is that of the balls, not of the box", "[core]") {
     const Grid grid = test::dyadic_grid();
     const double volume = grid.cell_width * grid.cell_width * grid.cell_width;
-    CHECK(crowding({}, grid) == 0.0);
-    CHECK(crowding(std::vector(100, vec4(0.1f)), grid) == Approx(100.0 / volume));
+    CHECK(local_density({}, grid) == 0.0);
+    CHECK(local_density(std::vector(100, vec4(0.1f)), grid) == Approx(100.0 / volume));
     std::vector<vec4> spread;
     for (int i = 0; i < 16; ++i) {
         spread.emplace_back(-2.0f + 0.25f * static_cast<float>(i) + 0.1f, 0.1f, 0.1f, 0.1f);
     }
-    CHECK(crowding(spread, grid) == Approx(1.0 / volume));
+    CHECK(local_density(spread, grid) == Approx(1.0 / volume));
     // Outside, and nowhere at all.
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    CHECK(crowding(std::vector{vec4(-1e30f), vec4(nan), vec4(-2.0f), vec4(1e30f)}, grid) == Approx(2.5 / volume));
+    CHECK(local_density(std::vector{vec4(-1e30f), vec4(nan), vec4(-2.0f), vec4(1e30f)}, grid) == Approx(2.5 / volume));
 }
 
 TEST_CASE("pairs are all with brute force, else those of the cells around", "[core]") {

@@ -2,6 +2,7 @@
 #include "core/grid.h"
 
 #include <array>
+#include <limits>
 
 #include "support/catch.h"
 
@@ -48,4 +49,19 @@ TEST_CASE("no balls and no size still make a grid", "[core]") {
     CHECK(grid.cell_width > 0.0);
     CHECK(grid.cell_count() >= 1);
     CHECK(make_grid(dvec3(0.1), 5.0, 1.0, 10).cell_count() == 1);  // a ball larger than the box
+}
+
+TEST_CASE("a point lies in one cell, in the nearest one where it lies outside or nowhere", "[core]") {
+    const Grid grid{dvec3(-1.0, -2.0, -3.0), 0.5, uvec3(4, 8, 12)};
+    CHECK(cell_of(dvec3(-1.0, -2.0, -3.0), grid) == uvec3(0));
+    CHECK(cell_of(dvec3(-0.51, -1.49, 2.99), grid) == uvec3(0, 1, 11));
+    CHECK(cell_of(dvec3(0.0, 0.0, 0.0), grid) == uvec3(2, 4, 6));
+    CHECK(cell_of(dvec3(1e30, -1e30, 3.0), grid) == uvec3(3, 0, 11));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK(cell_of(dvec3(nan, infinity, -infinity), grid) == uvec3(0, 7, 0));
+    CHECK(cell_id(uvec3(0), grid) == 0);
+    CHECK(cell_id(uvec3(1, 0, 0), grid) == 1);
+    CHECK(cell_id(uvec3(3, 7, 11), grid) == grid.cell_count() - 1);
+    CHECK(cell_id(uvec3(2, 4, 6), grid) == (6 * 8 + 4) * 4 + 2);
 }

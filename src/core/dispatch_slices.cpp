@@ -5,31 +5,16 @@
 
 namespace ballpit {
 
-namespace {
-
-std::size_t cell_of(const vec4& position, const Grid& grid) {
-    std::size_t cell = 0;
-    for (int axis = 2; axis >= 0; --axis) {
-        const double place = (static_cast<double>(position[axis]) - grid.origin[axis]) / grid.cell_width;
-        const double last = grid.cells[axis] - 1.0;
-        const double along = place > 0.0 ? std::min(std::floor(place), last) : 0.0;  // of no number: 0
-        cell = cell * grid.cells[axis] + static_cast<std::size_t>(along);
-    }
-    return cell;
-}
-
-}  // namespace
-
 bool looks_at_pairs(const Program& program) {
     return program.shader == Shader::count_missed ||
            (program.shader == Shader::collide && program.features.has(Feature::contact));
 }
 
-double crowding(std::span<const vec4> positions, const Grid& grid) {
+double local_density(std::span<const vec4> positions, const Grid& grid) {
     std::vector<std::uint32_t> balls(grid.cell_count(), 0);
     double met = 0.0;  // by all balls in their own cells, themselves included
     for (const vec4& position : positions) {
-        std::uint32_t& count = balls[cell_of(position, grid)];
+        std::uint32_t& count = balls[cell_id(cell_of(dvec3(position), grid), grid)];
         met += 2.0 * count + 1.0;
         ++count;
     }
@@ -37,13 +22,13 @@ double crowding(std::span<const vec4> positions, const Grid& grid) {
     return positions.empty() ? 0.0 : met / static_cast<double>(positions.size()) / volume;
 }
 
-double pairs_of(const Schedule& schedule, double crowding) {
+double pairs_of(const Schedule& schedule, double density) {
     const auto balls = static_cast<double>(schedule.ball_count);
     if (schedule.features.has(Feature::brute_force)) {
         return balls * balls;
     }
     const double width = schedule.grid.cell_width;
-    return balls * std::min(balls, 27.0 * crowding * width * width * width);
+    return balls * std::min(balls, 27.0 * density * width * width * width);
 }
 
 std::vector<Slice> slices_of(std::uint32_t ball_count, std::uint32_t count) {

@@ -23,12 +23,12 @@ struct Slice {
 /// Whether each thread of it looks at other balls.
 bool looks_at_pairs(const Program& program);
 
-/// How crowded it is where balls are: balls per m^3 in the cell of a ball, averaged over the balls. Positions that are
+/// How dense balls lie where balls are: per m^3 in the cell of a ball, averaged over the balls. Positions that are
 /// no numbers count for the grid's first cell.
-double crowding(std::span<const vec4> positions, const Grid& grid);
+double local_density(std::span<const vec4> positions, const Grid& grid);
 
-/// Pairs that collide looks at, about: all with brute force, else those of 27 cells as crowded as that.
-double pairs_of(const Schedule& schedule, double crowding);
+/// Pairs that collide looks at, about: all with brute force, else those of 27 cells as dense as that.
+double pairs_of(const Schedule& schedule, double density);
 
 /// `count` slices that cover the balls, or as many as there are groups; whole groups each, but for the last one.
 std::vector<Slice> slices_of(std::uint32_t ball_count, std::uint32_t count);

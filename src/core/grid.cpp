@@ -31,4 +31,18 @@ Grid make_grid(const Box& box, double r_max, double cell_factor, std::uint32_t b
     return grid;
 }
 
+uvec3 cell_of(const dvec3& point, const Grid& grid) {
+    uvec3 cell(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double place = (point[axis] - grid.origin[axis]) / grid.cell_width;
+        const double last = grid.cells[axis] - 1.0;
+        cell[axis] = static_cast<std::uint32_t>(place > 0.0 ? std::min(place, last) : 0.0);  // of no number: 0
+    }
+    return cell;
+}
+
+std::size_t cell_id(const uvec3& cell, const Grid& grid) {
+    return (std::size_t{cell.z} * grid.cells.y + cell.y) * grid.cells.x + cell.x;
+}
+
 }  // namespace ballpit

@@ -16,9 +16,9 @@ constexpr std::uint32_t seldom = 16;  // a time stamp costs as much as a dispatc
 
 void Slicer::load(const BallState& state, const Schedule& schedule) {
     slower_ = 1;
-    crowding_ = 0.0;
+    density_ = 0.0;
     if (could_be_long(schedule) && schedule.features.has(Feature::contact)) {
-        crowding_ = crowding(state.positions, schedule.grid);
+        density_ = local_density(state.positions, schedule.grid);
     }
 }
 
@@ -31,7 +31,7 @@ std::uint32_t Slicer::slices(const Schedule& schedule) const {
     if (!could_be_long(schedule)) {
         return 1;
     }
-    const double wanted = std::ceil(pairs_of(schedule, crowding_) / limit_) * slower_;
+    const double wanted = std::ceil(pairs_of(schedule, density_) / limit_) * slower_;
     const double most = std::ceil(schedule.ball_count / static_cast<double>(GROUP_SIZE));
     return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, most));
 }

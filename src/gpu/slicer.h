@@ -29,7 +29,7 @@ private:
     void look_at_time();
 
     double limit_ = pairs_a_slice;
-    double crowding_ = 0.0;     // balls per m^3 around a ball, when they were loaded
+    double density_ = 0.0;      // balls per m^3 around a ball, when they were loaded
     std::uint32_t slower_ = 1;  // slices for what was thought to need one
     std::uint32_t dispatches_ = 0;
     gl::SpanTimer timer_;

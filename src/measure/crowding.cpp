@@ -15,25 +15,15 @@ public:
     Cells(std::span<const vec4> positions, const Grid& grid)
         : grid_(grid), first_(grid.cell_count() + 1, 0), balls_(positions.size()) {
         for (const vec4& position : positions) {
-            ++first_[index(cell_of(position)) + 1];
+            ++first_[index(position) + 1];
         }
         for (std::size_t i = 1; i < first_.size(); ++i) {
             first_[i] += first_[i - 1];
         }
         std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
         for (std::uint32_t ball = 0; ball < positions.size(); ++ball) {
-            balls_[next[index(cell_of(positions[ball]))]++] = ball;
+            balls_[next[index(positions[ball])]++] = ball;
         }
-    }
-
-    glm::ivec3 cell_of(const vec4& position) const {
-        const dvec3 place = (dvec3(position) - grid_.origin) / grid_.cell_width;
-        glm::ivec3 cell(0);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double last = grid_.cells[axis] - 1.0;
-            cell[axis] = static_cast<int>(place[axis] > 0.0 ? std::min(place[axis], last) : 0.0);
-        }
-        return cell;
     }
 
     /// Those of a row of up to three cells, along x around `middle`; none beyond the grid.
@@ -48,10 +38,8 @@ public:
     }
 
 private:
-    std::size_t index(const glm::ivec3& cell) const {
-        const glm::uvec3 at(cell);
-        return (std::size_t{at.z} * grid_.cells.y + at.y) * grid_.cells.x + at.x;
-    }
+    std::size_t index(const glm::ivec3& cell) const { return cell_id(uvec3(cell), grid_); }
+    std::size_t index(const vec4& position) const { return cell_id(cell_of(dvec3(position), grid_), grid_); }
 
     Grid grid_;
     std::vector<std::uint32_t> first_;
@@ -67,7 +55,7 @@ Crowding crowding_of(std::span<const vec4> positions, const Grid& grid, std::uin
     std::uint64_t contacts = 0;
     std::uint64_t asked = 0;
     for (std::size_t ball = 0; ball < positions.size(); ball += step, ++asked) {
-        const glm::ivec3 middle = cells.cell_of(positions[ball]);
+        const glm::ivec3 middle(cell_of(dvec3(positions[ball]), grid));
         for (int z = middle.z - 1; z <= middle.z + 1; ++z) {
             for (int y = middle.y - 1; y <= middle.y + 1; ++y) {
                 for (const std::uint32_t other : cells.row(middle, y, z)) {
