@@ -1,7 +1,7 @@
 #version 430 core
 // One thread a slot: a key goes to the place in its cell's slots that its ball id has among them, so that the order of
 // neighbours, and with it every sum, does not depend on which thread came first. A cell holds few balls: each looks at
-// all of them.
+// all of them. Where balls crowd it holds many, hence the slices.
 #include "shared/dispatch.glsl"
 #include "shared/keys.glsl"
 
@@ -16,7 +16,7 @@ layout(std430, binding = SLOT_CELL_RANGES) readonly buffer CellRangesBlock { Cel
 layout(std430, binding = BINDING_SCATTERED_KEYS) readonly buffer ScatteredKeysBlock { Key scattered_keys[]; };
 
 void main() {
-    uint slot = global_index();
+    uint slot = sliced_index();
     if (slot >= params.ball_count) {
         return;
     }

@@ -50,6 +50,8 @@ TEST_CASE("only dispatches that look at other balls are cut", "[core]") {
         }
     }
     CHECK(cut == std::vector<std::string>{"count_missed", "collide"});
+    CHECK(looks_at_pairs({Shader::order_keys, {}}));
+    CHECK_FALSE(looks_at_pairs({Shader::scatter_keys, {}}));
     CHECK_FALSE(looks_at_pairs({Shader::collide, {}}));
 }
 
@@ -75,6 +77,8 @@ TEST_CASE("pairs are all with brute force, else those of the cells around", "[co
     CHECK(pairs_of(contact_schedule(balls, true), 0.0) == 1e10);
     CHECK(pairs_of(contact_schedule(balls, false), 2.0 / volume) == Approx(54.0 * balls));
     CHECK(pairs_of(contact_schedule(balls, false), balls / volume) == 1e10);  // all in one cell
+    CHECK(pairs_of(contact_schedule(balls, false), 2.0 / volume, 1.0) == Approx(2.0 * balls));
+    CHECK(cells_looked_at({Shader::order_keys, {}}) == 1.0);
     // Twice as wide cells, eight times as many balls.
     const Grid wide{grid.origin, 2.0 * grid.cell_width, uvec3(8)};
     CHECK(pairs_of(contact_schedule(balls, false, wide), 2.0 / volume) == Approx(8 * 54.0 * balls));

@@ -100,6 +100,13 @@ TEST_CASE_METHOD(GlFixture, "a grid's collide and count of what was missed in sl
     same_in_slices(scene, substeps + 3);  // three of five build the grid
 }
 
+TEST_CASE_METHOD(GlFixture, "the counting sort's cells are put in order in slices, too", "[gpu-backend]") {
+    Scene scene = crowd(NeighbourSearch::grid, 1);
+    scene.settings.sort = SortMethod::counting;
+    scene.settings.cell_factor = 3.0;  // in one cell the keys would be in order beforehand
+    same_in_slices(scene, 2 * substeps);  // order_keys and collide
+}
+
 TEST_CASE_METHOD(GlFixture, "few balls, or balls that do not look at others, are not cut", "[gpu-backend]") {
     const Scene crowded = crowd(NeighbourSearch::brute_force, 1);
     CHECK(run(crowded, 1.0 * balls * balls).dispatches == substeps);

@@ -5,9 +5,17 @@
 
 namespace ballpit {
 
-bool looks_at_pairs(const Program& program) {
-    return program.shader == Shader::count_missed ||
-           (program.shader == Shader::collide && program.features.has(Feature::contact));
+double cells_looked_at(const Program& program) {
+    switch (program.shader) {
+        case Shader::order_keys:
+            return 1.0;
+        case Shader::count_missed:
+            return cells_around;
+        case Shader::collide:
+            return program.features.has(Feature::contact) ? cells_around : 0.0;
+        default:
+            return 0.0;
+    }
 }
 
 double local_density(std::span<const vec4> positions, const Grid& grid) {
@@ -22,13 +30,13 @@ double local_density(std::span<const vec4> positions, const Grid& grid) {
     return positions.empty() ? 0.0 : met / static_cast<double>(positions.size()) / volume;
 }
 
-double pairs_of(const Schedule& schedule, double density) {
+double pairs_of(const Schedule& schedule, double density, double cells) {
     const auto balls = static_cast<double>(schedule.ball_count);
     if (schedule.features.has(Feature::brute_force)) {
         return balls * balls;
     }
     const double width = schedule.grid.cell_width;
-    return balls * std::min(balls, 27.0 * density * width * width * width);
+    return balls * std::min(balls, cells * density * width * width * width);
 }
 
 std::vector<Slice> slices_of(std::uint32_t ball_count, std::uint32_t count) {

@@ -20,15 +20,20 @@ struct Slice {
     Groups groups;
 };
 
+/// How many cells of balls each thread of it looks at; 0 where it does not look at other balls.
+double cells_looked_at(const Program& program);
+
 /// Whether each thread of it looks at other balls.
-bool looks_at_pairs(const Program& program);
+inline bool looks_at_pairs(const Program& program) { return cells_looked_at(program) > 0.0; }
 
 /// How dense balls lie where balls are: per m^3 in the cell of a ball, averaged over the balls. Positions that are
 /// no numbers count for the grid's first cell.
 double local_density(std::span<const vec4> positions, const Grid& grid);
 
-/// Pairs that collide looks at, about: all with brute force, else those of 27 cells as dense as that.
-double pairs_of(const Schedule& schedule, double density);
+inline constexpr double cells_around = 27.0;  // a ball, its own included
+
+/// Pairs that a dispatch looks at, about: all with brute force, else those of so many cells as dense as that.
+double pairs_of(const Schedule& schedule, double density, double cells = cells_around);
 
 /// `count` slices that cover the balls, or as many as there are groups; whole groups each, but for the last one.
 std::vector<Slice> slices_of(std::uint32_t ball_count, std::uint32_t count);

@@ -156,8 +156,11 @@ void GpuBackend::barrier(Uses uses) {
 void GpuBackend::use(Slot slot, Use use) { barrier(hazards_.before_use(slot, use)); }
 
 void GpuBackend::run_slices(const Dispatch& dispatch, const Schedule& schedule, Programs::Compiled& compiled) {
-    const std::uint32_t count = slicer_.slices(schedule);
-    slicer_.begin(schedule);
+    const std::uint32_t count = slicer_.slices(schedule, cells_looked_at(dispatch.program));
+    const bool longest = dispatch.program.shader == Shader::collide;
+    if (longest) {
+        slicer_.begin(schedule);
+    }
     if (count == 1) {
         compiled.set(dispatch.constants);
         glDispatchCompute(dispatch.groups.x, dispatch.groups.y, 1);
@@ -172,7 +175,9 @@ void GpuBackend::run_slices(const Dispatch& dispatch, const Schedule& schedule, 
             ++dispatches_issued_;
         }
     }
-    slicer_.end(count);
+    if (longest) {
+        slicer_.end(count);
+    }
 }
 
 void GpuBackend::run_dispatch(const Dispatch& dispatch, const Schedule& schedule, const ShaderParams& params) {

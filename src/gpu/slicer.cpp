@@ -27,11 +27,11 @@ bool Slicer::could_be_long(const Schedule& schedule) const {
     return balls * balls > limit_;
 }
 
-std::uint32_t Slicer::slices(const Schedule& schedule) const {
+std::uint32_t Slicer::slices(const Schedule& schedule, double cells) const {
     if (!could_be_long(schedule)) {
         return 1;
     }
-    const double wanted = std::ceil(pairs_of(schedule, density_) / limit_) * slower_;
+    const double wanted = std::ceil(pairs_of(schedule, density_, cells) / limit_) * slower_;
     const double most = std::ceil(schedule.ball_count / static_cast<double>(GROUP_SIZE));
     return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, most));
 }

@@ -17,10 +17,10 @@ public:
     /// The state that is loaded, and what it is going to run.
     void load(const BallState& state, const Schedule& schedule);
 
-    /// Slices for each dispatch that looks at pairs; 1 where they are few.
-    std::uint32_t slices(const Schedule& schedule) const;
+    /// Slices for a dispatch that looks at the pairs of so many cells; 1 where they are few.
+    std::uint32_t slices(const Schedule& schedule, double cells = cells_around) const;
 
-    /// Around such a dispatch of `slices` slices, once in a while where it could be long.
+    /// Around a collide of `slices` slices (nothing takes longer), once in a while where it could be long.
     void begin(const Schedule& schedule);
     void end(std::uint32_t slices);
 
