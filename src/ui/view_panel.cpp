@@ -1,4 +1,5 @@
 // What is drawn, and how large the text is.
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -22,10 +23,19 @@ bool look_row(const State& state, ViewOptions& view) {
         "without shadows, on a plain ground: for a CPU that draws.");
     constexpr std::array<std::pair<Look, const char*>, 3> looks = {
         {{Look::model, "model"}, {Look::impostor, "impostor"}, {Look::simple, "simple"}}};
+    const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float gap = 0.5f * inner;
+    float wanted = -gap;
+    for (const auto& each : looks) {
+        wanted += ImGui::GetFrameHeight() + inner + ImGui::CalcTextSize(each.second).x + gap;
+    }
+    // Beside a scroll bar the three do not fit where other rows begin: the label is short, so they begin further left.
+    const float lacking = std::max(0.0f, wanted - ImGui::GetContentRegionAvail().x);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - lacking);
     bool changed = false;
     for (const auto& [look, name] : looks) {
         if (look != looks.front().first) {
-            ImGui::SameLine(0.0f, 0.5f * ImGui::GetStyle().ItemInnerSpacing.x);  // three just fit
+            ImGui::SameLine(0.0f, gap);
         }
         if (ImGui::RadioButton(name, drawn_look(view.look, state.software) == look)) {
             view.look = look;
