@@ -1,9 +1,11 @@
 // The look for a CPU that draws: what it shows, in which order, and what it leaves out.
 #include <algorithm>
 
+#include "core/random.h"
 #include "support/gl_fixture.h"
 #include "support/studio.h"
 #include "view/depth_order.h"
+#include "view/hidden_balls.h"
 
 using namespace ballpit;
 using namespace ballpit::test;
@@ -24,8 +26,43 @@ TEST_CASE_METHOD(test::GlFixture, "the order of drawing changes no pixel of the 
          {std::vector<std::uint32_t>{2, 1, 0}, nearest_first(three, studio.picture.camera)}) {
         const gl::Buffer buffer = buffer_of(order);
         studio.picture.order = &buffer;
+        studio.picture.order_count = static_cast<std::uint32_t>(order.size());
         CHECK(count(changed(any, studio.draw())) == 0);
     }
+}
+
+TEST_CASE_METHOD(test::GlFixture, "balls that are hidden are not drawn, and no pixel tells", "[view]") {
+    Studio studio;
+    studio.picture.look = Look::simple;
+    // A pile of large and small balls that do not overlap, some of them beside the picture.
+    std::vector<vec4> balls;
+    for (int i = 0; i < 9 * 9 * 9; ++i) {
+        const vec3 cell(i % 9, i / 9 % 9, i / 81);
+        balls.emplace_back(0.25f * (cell - 4.0f),
+                           0.06f + 0.06f * static_cast<float>(random_unit(7, 0, static_cast<std::uint64_t>(i))));
+    }
+    balls[100].x = not_a_number;
+    balls[101].w = -balls[101].w;
+    studio.set_balls(balls);
+    const Camera home = studio.picture.camera;
+    std::size_t fewest = balls.size();
+    for (const float nearer : {0.0f, 0.3f, 0.55f}) {
+        for (const float turn : {0.0f, 0.4f, 2.0f}) {
+            studio.picture.camera = home;
+            studio.picture.camera.position *= 1.0f - nearer;
+            studio.picture.camera.yaw += turn;
+            studio.picture.order = nullptr;
+            const Pixels all = studio.draw();
+            const auto seen = without_hidden(nearest_first(balls, studio.picture.camera), balls, studio.picture);
+            const gl::Buffer buffer = buffer_of(seen.empty() ? std::vector<std::uint32_t>{0} : seen);
+            studio.picture.order = &buffer;
+            studio.picture.order_count = static_cast<std::uint32_t>(seen.size());
+            CAPTURE(nearer, turn, seen.size());
+            CHECK(count(changed(all, studio.draw())) == 0);
+            fewest = turn == 0.0f ? std::min(fewest, seen.size()) : fewest;
+        }
+    }
+    CHECK(fewest < balls.size() / 2);
 }
 
 TEST_CASE_METHOD(test::GlFixture, "balls of the simple look that reach into the picture are drawn", "[view]") {

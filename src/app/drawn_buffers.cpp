@@ -2,6 +2,7 @@
 
 #include "gpu/gpu_backend.h"
 #include "view/depth_order.h"
+#include "view/hidden_balls.h"
 
 namespace ballpit::app {
 
@@ -24,12 +25,15 @@ const gl::Buffer* DrawnBuffers::upload(std::span<const std::byte> bytes, std::st
     return &copy;
 }
 
-const gl::Buffer* DrawnBuffers::order(Backend& backend, const view::Camera& camera) {
+void DrawnBuffers::set_order(Backend& backend, view::Picture& picture) {
     if (backend.name() == "gpu") {
-        return nullptr;
+        return;
     }
-    const auto order = view::nearest_first(read_slot<vec4>(backend, Slot::positions), camera);
-    return upload(std::as_bytes(std::span(order)), "order of balls", order_);
+    const auto positions = read_slot<vec4>(backend, Slot::positions);
+    const auto order = view::without_hidden(view::nearest_first(positions, picture.camera), positions, picture);
+    upload(std::as_bytes(std::span(order)), "order of balls", order_);
+    picture.order = &order_;
+    picture.order_count = static_cast<std::uint32_t>(order.size());
 }
 
 }  // namespace ballpit::app

@@ -6,7 +6,7 @@
 
 #include "core/backend.h"
 #include "gl/buffer.h"
-#include "view/camera.h"
+#include "view/picture.h"
 
 namespace ballpit::app {
 
@@ -17,9 +17,9 @@ public:
     const gl::Buffer* velocities(Backend& backend) { return get(backend, Slot::velocities, velocities_); }
     const gl::Buffer* cell_ranges(Backend& backend) { return get(backend, Slot::cell_ranges, cell_ranges_); }
 
-    /// The order in which balls hide most of what is drawn after them; null where the positions are on a device, for
-    /// nobody waits for them.
-    const gl::Buffer* order(Backend& backend, const view::Camera& camera);
+    /// Gives a picture whose camera and place are set the balls that can be seen in it, in the order in which they
+    /// hide most of what is drawn after them; none where the positions are on a device, for nobody waits for them.
+    void set_order(Backend& backend, view::Picture& picture);
 
 private:
     static const gl::Buffer* get(Backend& backend, Slot slot, gl::Buffer& copy);

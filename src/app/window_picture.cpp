@@ -66,9 +66,6 @@ void WindowPicture::draw(Simulation& simulation, std::size_t side, const Picture
     picture.camera = options.camera;
     picture.light = options.light;
     picture.look = look_of(options.view.look, software_);
-    if (picture.look == view::Look::simple) {
-        picture.order = buffers.order(backend, options.camera);
-    }
     picture.ball_colour = drawn_colour(view.colour, options.values);
     picture.values = options.values;
     picture.value_low = options.value_low;
@@ -84,6 +81,9 @@ void WindowPicture::draw(Simulation& simulation, std::size_t side, const Picture
     picture.y = area.y;
     picture.width = area.width;
     picture.height = area.height;
+    if (picture.look == view::Look::simple) {
+        buffers.set_order(backend, picture);
+    }
     renderer_.draw(picture);
 }
 

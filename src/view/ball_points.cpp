@@ -26,12 +26,11 @@ const gl::Program& BallPoints::use(const Picture& picture, bool valued) {
 void BallPoints::draw(const Picture& picture, const gl::Buffer* order) {
     array_.bind();
     glEnable(GL_PROGRAM_POINT_SIZE);
-    const auto balls = static_cast<GLsizei>(picture.ball_count);
-    if (order != nullptr) {
+    if (order == nullptr) {
+        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(picture.ball_count));
+    } else if (picture.order_count != 0) {
         array_.indices(*order);
-        glDrawElements(GL_POINTS, balls, GL_UNSIGNED_INT, nullptr);
-    } else {
-        glDrawArrays(GL_POINTS, 0, balls);
+        glDrawElements(GL_POINTS, static_cast<GLsizei>(picture.order_count), GL_UNSIGNED_INT, nullptr);
     }
     glDisable(GL_PROGRAM_POINT_SIZE);
 }

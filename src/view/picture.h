@@ -32,9 +32,10 @@ struct Picture {
     const gl::Buffer* positions = nullptr;   // vec4 a ball: centre (m), radius (m); null only without balls
     const gl::Buffer* velocities = nullptr;  // vec4 a ball: velocity (m/s), mass (kg); may be null
     std::uint32_t ball_count = 0;
-    // std::uint32_t a ball: its number, in the order in which balls are best drawn; may be null. Only the simple look
-    // asks.
+    // std::uint32_t each: the numbers of the balls to draw, in the order in which they are best drawn; null for all of
+    // them in any order. Only the simple look asks.
     const gl::Buffer* order = nullptr;
+    std::uint32_t order_count = 0;
     const gl::Buffer* cell_ranges = nullptr;  // CellRange a cell of `grid`; may be null
     Grid grid;
     Box box{vec3(-10.0f), vec3(10.0f)};  // m, where it stands
