@@ -123,6 +123,19 @@ MUTANTS = [
      [("glsl/shared/neighbours.glsl", "slot < rows[row].end; ++slot",
        "slot < min(rows[row].end, rows[row].first + 4u); ++slot")],
      "A25 forces*"),
+    ("counting sort: two balls have one ticket",
+     [("src/cpu/scatter_keys.cpp", ".first + tickets[ball]]", ".first + tickets[ball] / 2]")],
+     [("glsl/scatter_keys.comp", ".first + tickets[ball]]", ".first + tickets[ball] / 2u]")],
+     "A25 forces*"),
+    ("counting sort: a cell begins in the last slot of the one before",
+     [("src/cpu/scan_cells.cpp", "next += count;", "next += count - 1;")],
+     [("glsl/scan_cells.comp", "first += count;", "first += count - min(count, 1u);")],
+     "A25 forces*"),
+    ("counting sort: keys of a cell are left out",
+     [("src/cpu/order_keys.cpp", "scattered_keys.subspan(range.first, slots.size())",
+       "scattered_keys.subspan(range.first, slots.size() / 2)")],
+     [("glsl/order_keys.comp", ".ball_id < key.ball_id", ".ball_id <= key.ball_id")],
+     "A25 forces*"),
 ]
 
 
