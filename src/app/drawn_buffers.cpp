@@ -26,9 +26,6 @@ const gl::Buffer* DrawnBuffers::upload(std::span<const std::byte> bytes, std::st
 }
 
 void DrawnBuffers::set_order(Backend& backend, view::Picture& picture) {
-    if (backend.name() == "gpu") {
-        return;
-    }
     const auto positions = read_slot<vec4>(backend, Slot::positions);
     const auto order = view::without_hidden(view::nearest_first(positions, picture.camera), positions, picture);
     upload(std::as_bytes(std::span(order)), "order of balls", order_);

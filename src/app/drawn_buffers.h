@@ -18,7 +18,7 @@ public:
     const gl::Buffer* cell_ranges(Backend& backend) { return get(backend, Slot::cell_ranges, cell_ranges_); }
 
     /// Gives a picture whose camera and place are set the balls that can be seen in it, in the order in which they
-    /// hide most of what is drawn after them; none where the positions are on a device, for nobody waits for them.
+    /// hide most of what is drawn after them. Reads the positions: not for a device that would have to be waited for.
     void set_order(Backend& backend, view::Picture& picture);
 
 private:

@@ -81,7 +81,7 @@ void WindowPicture::draw(Simulation& simulation, std::size_t side, const Picture
     picture.y = area.y;
     picture.width = area.width;
     picture.height = area.height;
-    if (picture.look == view::Look::simple) {
+    if (picture.look == view::Look::simple && (software_ || backend.name() != "gpu")) {
         buffers.set_order(backend, picture);
     }
     renderer_.draw(picture);
