@@ -2,6 +2,7 @@
 // One instance of the model a ball, straight from the physics' buffers.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/ball_number.glsl"
 #include "shared/ball_value.glsl"
 #include "shared/fade_ball.glsl"
 
@@ -22,13 +23,13 @@ flat out vec4 tint;
 
 void main() {
     vec4 ball = whole_ball(state);
-    uint id = uint(gl_InstanceID);
+    uint id = ball_number();
     vec4 turn = ball_turn(id);
     place = ball.xyz + ball.w * turned(turn, vertex);
     normal = turned(turn, vertex_normal);
     uv = vertex_uv;
 #ifdef VALUED
-    tint = vec4(value_colour(), 1.0);
+    tint = vec4(value_colour(value), 1.0);
 #else
     tint = ball_tint(id, ball.xyz, velocity.xyz);
 #endif

@@ -29,7 +29,7 @@ void main() {
     gl_PointSize = max(size, 1.0);
     sphere = ball;
 #ifdef VALUED
-    tint = vec4(value_colour(), 1.0);
+    tint = vec4(value_colour(value), 1.0);
 #else
     tint = ball_tint(id, ball.xyz, velocity.xyz);
 #endif

@@ -3,6 +3,7 @@
 #include "shared/ball.glsl"
 #include "shared/lighting.glsl"
 #include "shared/ball_surface.glsl"
+#include "shared/sphere_surface.glsl"
 
 #ifdef FADED
 flat in float shown;
@@ -19,11 +20,6 @@ flat in float texel_scale;
 
 layout(location = 0) out vec4 colour;
 
-const float pi = 3.14159265;
-
-// Longitude and polar angle, as the ball model maps them.
-vec2 sphere_uv(vec3 n) { return vec2(atan(n.y, n.x) / (2.0 * pi), acos(clamp(n.z, -1.0, 1.0)) / pi); }
-
 void main() {
     vec3 direction = normalize(ray);
     vec3 to_centre = sphere.xyz - frame.eye;
@@ -39,8 +35,5 @@ void main() {
     vec4 clip = frame.view_projection * vec4(place, 1.0);
     gl_FragDepth = 0.5 + 0.5 * clip.z / clip.w;
     vec3 normal = from_centre / sphere.w;
-    // The level is given: the jump of the longitude would make derivatives choose the smallest one.
-    vec2 uv = sphere_uv(turned(vec4(-turn.xyz, turn.w), normal));
-    float level = log2(max(texel_scale * float(textureSize(surface, 0).y), 1.0));
-    colour = vec4(ball_colour(textureLod(surface, uv, level).rgb, tint, place, normal), OPACITY);
+    colour = vec4(ball_colour(sphere_texel(turn, normal, texel_scale), tint, place, normal), OPACITY);
 }

@@ -3,6 +3,7 @@
 // cone of all rays from the eye that touch the sphere.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
+#include "shared/ball_number.glsl"
 #include "shared/ball_value.glsl"
 #include "shared/fade_ball.glsl"
 
@@ -19,8 +20,6 @@ flat out vec4 sphere;
 flat out vec4 tint;
 flat out vec4 turn;
 flat out float texel_scale;              // texture heights a pixel, at the ball's middle
-
-const float pi = 3.14159265;
 
 void main() {
     vec4 ball = whole_ball(state);
@@ -39,11 +38,11 @@ void main() {
     vec3 ahead = normalize(axis);
     vec3 side = normalize(frame.camera_right - dot(frame.camera_right, ahead) * ahead);
     vec3 place = ball.xyz + size * (corner.x * side + corner.y * cross(side, ahead));
-    uint id = uint(gl_InstanceID);
+    uint id = ball_number();
     ray = place - frame.eye;
     sphere = ball;
 #ifdef VALUED
-    tint = vec4(value_colour(), 1.0);
+    tint = vec4(value_colour(value), 1.0);
 #else
     tint = ball_tint(id, ball.xyz, velocity.xyz);
 #endif
@@ -51,6 +50,6 @@ void main() {
         tint = quarantine_tint;
     }
     turn = ball_turn(id);
-    texel_scale = length(axis) / (pi * ball.w * frame.pixels_per_radian);
+    texel_scale = texels_a_pixel(ball.w, length(axis));
     gl_Position = frame.view_projection * vec4(place, 1.0);
 }

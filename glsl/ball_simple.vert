@@ -37,7 +37,7 @@ void main() {
     float size = 2.0 * ball.w / (pixel * max(cosine, 0.1)) + 1.0;
     gl_PointSize = size;
 #ifdef VALUED
-    vec4 tint = vec4(value_colour(), 1.0);
+    vec4 tint = vec4(value_colour(value), 1.0);
 #else
     vec4 tint = ball_tint(uint(gl_VertexID), ball.xyz, velocity.xyz);
 #endif

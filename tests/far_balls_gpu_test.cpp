@@ -37,30 +37,32 @@ double difference(const Pixels& a, const Pixels& b) {
 
 }  // namespace
 
-TEST_CASE_METHOD(GlFixture, "balls of a few pixels are as large and as bright as points as they are by ray", "[view]") {
-    for (const float radius : {0.006f, 0.01f, 0.02f}) {
-        Studio studio;
-        studio.picture.show_shadows = false;
-        studio.picture.look = Look::impostor;
-        studio.picture.ball_colour = BallColour::plain;
-        studio.picture.grid.cell_width = static_cast<double>(2.0f * radius);
-        studio.set_balls({});
-        const Pixels none = studio.draw();
-        studio.set_balls(sparse_field(radius, far_from - 1));
-        CHECK_FALSE(all_far(studio.picture));
-        const Pixels rays = studio.draw();
-        studio.set_balls(sparse_field(radius, far_from));
-        CHECK(all_far(studio.picture));
-        const Pixels points = studio.draw();
-        CAPTURE(radius, largest_across(studio.picture), difference(rays, none), difference(points, none));
-        CHECK(difference(rays, none) > 50000.0);
-        CHECK(difference(points, none) == Approx(difference(rays, none)).epsilon(0.25));
-        studio.picture.look = Look::model;
-        CHECK(studio.draw() == points);
+TEST_CASE_METHOD(GlFixture, "balls of a few pixels are from afar as large and as bright as they are by ray", "[view]") {
+    for (const bool computes : {true, false}) {
+        for (const float radius : {0.006f, 0.01f, 0.02f}) {
+            Studio studio(computes);
+            studio.picture.show_shadows = false;
+            studio.picture.look = Look::impostor;
+            studio.picture.ball_colour = BallColour::plain;
+            studio.picture.grid.cell_width = static_cast<double>(2.0f * radius);
+            studio.set_balls({});
+            const Pixels none = studio.draw();
+            studio.set_balls(sparse_field(radius, far_from - 1));
+            CHECK_FALSE(all_far(studio.picture));
+            const Pixels rays = studio.draw();
+            studio.set_balls(sparse_field(radius, far_from));
+            CHECK(all_far(studio.picture));
+            const Pixels points = studio.draw();
+            CAPTURE(computes, radius, largest_across(studio.picture), difference(rays, none), difference(points, none));
+            CHECK(difference(rays, none) > 50000.0);
+            CHECK(difference(points, none) == Approx(difference(rays, none)).epsilon(0.25));
+            studio.picture.look = Look::model;
+            CHECK(studio.draw() == points);
+        }
     }
 }
 
-TEST_CASE_METHOD(GlFixture, "balls that are few, near or see-through are no points", "[view]") {
+TEST_CASE_METHOD(GlFixture, "balls that are few or near are not all far", "[view]") {
     Studio studio;
     studio.picture.grid.cell_width = 0.02;
     studio.picture.ball_count = far_from;

@@ -38,11 +38,11 @@ TEST_CASE_METHOD(test::GlFixture, "each pass of a picture is told of once, in or
         passes.push_back(pass);
         after.push_back(studio.framebuffer.pixels());
     });
-    CHECK(passes == std::vector{Pass::shadows, Pass::surroundings, Pass::balls, Pass::overlay});
+    CHECK(passes == std::vector{Pass::visibility, Pass::shadows, Pass::surroundings, Pass::balls, Pass::overlay});
     CHECK(passes.size() == pass_count);
-    CHECK(after[1] != after[2]);
     CHECK(after[2] != after[3]);
-    CHECK(after[3] == studio.draw());
+    CHECK(after[3] != after[4]);
+    CHECK(after[4] == studio.draw());
 }
 
 TEST_CASE_METHOD(test::GlFixture, "the frame block lies in memory as the driver expects it", "[view]") {

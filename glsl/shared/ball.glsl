@@ -26,6 +26,9 @@ vec4 ball_turn(uint ball) {
 
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
+// Heights of its texture a pixel, at the middle of a ball this far away, where the texture is laid around the sphere.
+float texels_a_pixel(float radius, float away) { return away / (3.14159265 * radius * frame.pixels_per_radian); }
+
 // Colour for ball_surface.glsl; w: 1 where it tells a quantity, 0 for a hint that tells neighbours apart.
 vec4 ball_tint(uint ball, vec3 centre, vec3 velocity) {
     if (frame.ball_colour == COLOUR_SPEED) {

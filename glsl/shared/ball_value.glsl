@@ -1,12 +1,14 @@
 // Colour of a ball by a value of its own, for the programs that colour so. Needs shared/frame.glsl.
 #ifdef VALUED
+#ifndef BY_NUMBER                        // who looks it up by the ball's number has no attribute
 layout(location = 6) in float value;
+#endif
 
 // By bits, because a compiler may assume that nothing is NaN.
 bool is_nan(float v) { return (floatBitsToUint(v) & 0x7FFFFFFFu) > 0x7F800000u; }
 
 // view::value_colour, in linear light.
-vec3 value_colour() {
+vec3 value_colour(float value) {
     if (is_nan(value)) {
         return frame.no_value_colour;
     }

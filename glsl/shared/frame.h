@@ -12,6 +12,20 @@
 #define COLOUR_SPEED 2u
 #define COLOUR_CELL 3u
 
+#define FAR_BELOW 6.0             // pixels across below which a ball is far
+
+// Balls drawn pixel by pixel (view/pixel_balls.h): storage buffers and sizes of work groups.
+#define BINDING_DRAWN_POSITIONS 0
+#define BINDING_DRAWN_VELOCITIES 1
+#define BINDING_DRAWN_VALUES 2
+#define BINDING_PIXELS 3
+#define BINDING_NEAR_BALLS 4
+#define BINDING_NEAR_DRAWS 5
+#define PIXEL_BALLS_GROUP_SIZE 256  // balls
+#define PIXELS_GROUP_WIDTH 16       // pixels each way
+#define NO_BALL 0xFFFFFFFFu
+#define NEAR_DRAW_WORDS 5         // of a command of glDraw*Indirect; the second one is the number of instances
+
 #define PALETTE_SEQUENTIAL 0u     // view::Palette
 #define PALETTE_DIVERGING 1u
 #define PALETTE_CATEGORICAL 2u

@@ -268,7 +268,9 @@ void GpuBackend::finish() {
 }
 
 const gl::Buffer& GpuBackend::buffer_for_drawing(Slot slot) {
-    barrier(hazards_.before_use(slot, Use::vertex) | hazards_.before_use(slot, Use::texture));
+    barrier(hazards_.before_use(slot, Use::vertex) | hazards_.before_use(slot, Use::texture) |
+            hazards_.before_use(slot, Use::storage));
+    hazards_.shader_reads(slot);
     return buffer(slot);
 }
 

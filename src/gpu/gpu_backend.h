@@ -56,7 +56,8 @@ public:
     std::vector<StageTimes> take_times() override;
     void finish() override;
 
-    /// The buffer in this slot, for use as a vertex attribute or buffer texture: nothing is read back to draw.
+    /// The buffer in this slot, for use as a vertex attribute, buffer texture or storage to read: nothing is read back
+    /// to draw.
     const gl::Buffer& buffer_for_drawing(Slot slot);
     /// Bytes of all buffers on the device.
     std::size_t allocated_bytes() const;

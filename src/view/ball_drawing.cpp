@@ -20,18 +20,6 @@ namespace {
 constexpr GLint square_corners = 4;
 constexpr float coarse_below = 32.0f;  // pixels across
 
-template <class T>
-gl::Buffer static_buffer(std::string_view label, std::span<const T> elements) {
-    gl::Buffer buffer(label, elements.size_bytes(), GL_STATIC_DRAW);
-    buffer.write(std::as_bytes(elements));
-    return buffer;
-}
-
-gl::Texture make_texture(const Image& image) {
-    constexpr std::array<unsigned char, 4> white = {255, 255, 255, 255};
-    return image.pixels.empty() ? gl::Texture(1, 1, white) : gl::Texture(image.width, image.height, image.pixels);
-}
-
 void point_at(gl::VertexArray& array, BallAttribute location, const gl::Buffer* buffer, float otherwise) {
     if (buffer != nullptr) {
         array.floats(location, *buffer, 1, sizeof(float), 0, 1);
@@ -60,17 +48,27 @@ BallDrawing::Programs::Programs(const std::filesystem::path& shader_folder, cons
     faded = load_view_program(shader_folder, stem, defines);
 }
 
-BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model& model)
-    : model_programs_{{shader_folder, "ball"}, {shader_folder, "ball", {"VALUED"}}},
-      impostor_programs_{{shader_folder, "ball_impostor"}, {shader_folder, "ball_impostor", {"VALUED"}}},
+BallDrawing::LookPrograms::LookPrograms(const std::filesystem::path& shader_folder, const std::string& stem)
+    : usual(shader_folder, stem),
+      valued(shader_folder, stem, {"VALUED"}),
+      listed(load_view_program(shader_folder, stem, {"LISTED"})),
+      listed_valued(load_view_program(shader_folder, stem, {"LISTED", "VALUED"})) {}
+
+BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model& model, bool computes)
+    : model_programs_(shader_folder, "ball"),
+      impostor_programs_(shader_folder, "ball_impostor"),
       shadow_programs_(shader_folder, "ball_shadow"),
       contact_programs_(shader_folder, "ball_contact"),
       arrow_programs_(shader_folder, "arrow"),
       far_balls_(shader_folder, "ball_far"),
       simple_balls_(shader_folder) {
+    if (computes && PixelBalls::possible()) {
+        pixel_balls_.emplace(shader_folder);
+    }
     constexpr std::array<glm::vec2, square_corners> corners = {glm::vec2(-1.0f, -1.0f), glm::vec2(1.0f, -1.0f),
                                                                glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, 1.0f)};
-    square_ = static_buffer("square", std::span<const glm::vec2>(corners));
+    square_ = gl::Buffer("square", sizeof(corners), GL_STATIC_DRAW);
+    square_.write(std::as_bytes(std::span(corners)));
     square_array_.floats(at_vertex, square_, 2, sizeof(glm::vec2), 0);
     set_model(model);
 }
@@ -82,7 +80,13 @@ const gl::Program& BallDrawing::use(const Programs& programs) const {
 }
 
 const gl::Program& BallDrawing::use(const LookPrograms& programs, const Picture& picture, bool ghosts) const {
-    const gl::Program& program = use(shows_values(picture) ? programs.valued : programs.usual);
+    const bool valued = shows_values(picture);
+    if (way_ == Way::pixels) {
+        const gl::Program& program = valued ? programs.listed_valued : programs.listed;
+        program.use();
+        return program;
+    }
+    const gl::Program& program = use(valued ? programs.valued : programs.usual);
     glUniform1i(program.uniform("ghosts"), ghosts ? 1 : 0);
     return program;
 }
@@ -93,7 +97,55 @@ void BallDrawing::point_at_instances(gl::VertexArray& array, const Picture& pict
     point_at(array, at_value, shows_values(picture) ? picture.values : nullptr, 0.0f);
 }
 
+// All balls, or those of the list.
+void BallDrawing::point_at_drawn(gl::VertexArray& array, const Picture& picture) const {
+    if (way_ != Way::pixels) {
+        point_at_instances(array, picture);
+        return;
+    }
+    const gl::Buffer& balls = pixel_balls_->near_balls();
+    array.floats(at_ball, balls, 4, sizeof(NearBall), offsetof(NearBall, state), 1);
+    array.floats(at_velocity, balls, 4, sizeof(NearBall), offsetof(NearBall, velocity), 1);
+    array.floats(at_value, balls, 1, sizeof(NearBall), offsetof(NearBall, value), 1);
+    array.uints(at_number, balls, 1, sizeof(NearBall), offsetof(NearBall, number), 1);
+}
+
+BallDrawing::Way BallDrawing::way_for(const Picture& picture) const {
+    if (faded_ || picture.ball_count == 0) {
+        return Way::instances;
+    }
+    if (simple_balls_.can_draw(picture)) {
+        return Way::simple;
+    }
+    if (pixel_balls_ && pixel_balls_->can_draw(picture)) {
+        return Way::pixels;
+    }
+    return all_far(picture) ? Way::points : Way::instances;
+}
+
+// The list is drawn as squares or by each surface of the model.
+void BallDrawing::find_pixels(const Picture& picture) {
+    near_draws_.clear();
+    if (picture.look != Look::model) {
+        near_draws_.push_back({square_corners, 0, 0, 0, 0});
+    } else {
+        for (const BallSurface& surface : mesh_for(picture).surfaces) {
+            near_draws_.push_back({static_cast<std::uint32_t>(surface.index_count), 0,
+                                   static_cast<std::uint32_t>(surface.first_index), 0, 0});
+        }
+    }
+    pixel_balls_->find(picture, shows_values(picture), near_draws_);
+}
+
 void BallDrawing::prepare(const Picture& picture) {
+    prepare_presences(picture);
+    way_ = way_for(picture);
+    if (way_ == Way::pixels) {
+        find_pixels(picture);
+    }
+}
+
+void BallDrawing::prepare_presences(const Picture& picture) {
     presences_.clear();
     presence_ = picture.overlay != nullptr ? 1.0f - std::clamp(picture.overlay->fade_others, 0.0f, 1.0f) : 1.0f;
     faded_ = picture.overlay != nullptr && (presence_ < 1.0f || cuts_away(picture));
@@ -115,41 +167,23 @@ void BallDrawing::prepare(const Picture& picture) {
 }
 
 void BallDrawing::set_model(const Model& model) {
-    std::vector<Mesh> meshes;
-    meshes.push_back(make_mesh(model));
+    std::vector<BallMesh> meshes;
+    meshes.emplace_back(model);
     for (const Model& coarser : model.coarser) {
-        meshes.push_back(make_mesh(coarser));
+        meshes.emplace_back(coarser);
     }
     meshes_ = std::move(meshes);
 }
 
-BallDrawing::Mesh BallDrawing::make_mesh(const Model& model) {
-    assert(!model.parts.empty() && !model.indices.empty());
-    Mesh mesh;
-    mesh.closed = model.closed;
-    mesh.vertices = static_buffer("ball model vertices", std::span(model.vertices));
-    mesh.array.floats(at_vertex, mesh.vertices, 3, sizeof(Vertex), offsetof(Vertex, position));
-    mesh.array.floats(at_normal, mesh.vertices, 3, sizeof(Vertex), offsetof(Vertex, normal));
-    mesh.array.floats(at_uv, mesh.vertices, 2, sizeof(Vertex), offsetof(Vertex, uv));
-    mesh.indices = static_buffer("ball model indices", std::span(model.indices));
-    mesh.array.indices(mesh.indices);
-    for (const Part& part : model.parts) {
-        const Material& material = part.material;
-        mesh.surfaces.push_back({static_cast<GLsizei>(part.index_count), part.first_index, material.diffuse,
-                                 material.specular, material.shininess, make_texture(material.texture)});
-    }
-    return mesh;
-}
-
 // By the size in the picture of the largest balls, which a cell is made to hold.
-BallDrawing::Mesh& BallDrawing::mesh_for(const Picture& picture) {
+BallMesh& BallDrawing::mesh_for(const Picture& picture) {
     const Camera& camera = picture.camera;
     const float pixels_per_radian = 0.5f * static_cast<float>(picture.height) / std::tan(0.5f * camera.field_of_view);
     const float across = static_cast<float>(picture.grid.cell_width) * pixels_per_radian;
     return across < coarse_below * glm::length(camera.position) ? meshes_.back() : meshes_.front();
 }
 
-void BallDrawing::use_surface(const gl::Program& program, const Surface& surface) const {
+void BallDrawing::use_surface(const gl::Program& program, const BallSurface& surface) const {
     glUniform3f(program.uniform("diffuse"), surface.diffuse.x, surface.diffuse.y, surface.diffuse.z);
     glUniform3f(program.uniform("specular"), surface.specular.x, surface.specular.y, surface.specular.z);
     glUniform1f(program.uniform("shininess"), surface.shininess);
@@ -206,34 +240,58 @@ void BallDrawing::draw_ghosts(const Picture& picture) {
 }
 
 void BallDrawing::draw_look(const Picture& picture, bool ghosts) {
-    const auto balls = static_cast<GLsizei>(picture.ball_count);
-    if (!faded_ && simple_balls_.can_draw(picture)) {
-        use_surface(simple_balls_.use(picture, shows_values(picture)), meshes_.front().surfaces.front());
-        simple_balls_.draw(picture);
-        return;
+    const bool valued = shows_values(picture);
+    const BallSurface& surface = meshes_.front().surfaces.front();
+    switch (way_) {
+        case Way::simple:
+            use_surface(simple_balls_.use(picture, valued), surface);
+            simple_balls_.draw(picture);
+            return;
+        case Way::points:
+            use_surface(far_balls_.use(picture, valued), surface);
+            far_balls_.draw(picture, nullptr);
+            return;
+        case Way::pixels:
+            use_surface(pixel_balls_->use(valued), surface);
+            pixel_balls_->draw();
+            break;
+        case Way::instances:
+            break;
     }
-    if (!faded_ && all_far(picture)) {
-        use_surface(far_balls_.use(picture, shows_values(picture)), meshes_.front().surfaces.front());
-        far_balls_.draw(picture, nullptr);
-        return;
+    if (picture.look == Look::model) {
+        draw_models(picture, ghosts);
+    } else {
+        draw_impostors(picture, ghosts);  // simple from near by: points have a largest size
     }
-    if (picture.look != Look::model) {  // simple from near by: points have a largest size
-        point_at_instances(square_array_, picture);
-        const gl::Program& program = use(impostor_programs_, picture, ghosts);
-        use_surface(program, meshes_.front().surfaces.front());
-        square_array_.bind();
-        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, square_corners, balls);
-        return;
+}
+
+void BallDrawing::draw_impostors(const Picture& picture, bool ghosts) {
+    point_at_drawn(square_array_, picture);
+    use_surface(use(impostor_programs_, picture, ghosts), meshes_.front().surfaces.front());
+    square_array_.bind();
+    if (way_ == Way::pixels) {
+        glDrawArraysIndirect(GL_TRIANGLE_STRIP, pixel_balls_->bind_draw(0));
+    } else {
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, square_corners, static_cast<GLsizei>(picture.ball_count));
     }
-    Mesh& mesh = mesh_for(picture);
-    point_at_instances(mesh.array, picture);
+}
+
+void BallDrawing::draw_models(const Picture& picture, bool ghosts) {
+    BallMesh& mesh = mesh_for(picture);
+    point_at_drawn(mesh.array, picture);
     const gl::Program& program = use(model_programs_, picture, ghosts);
     mesh.array.bind();
     (mesh.closed ? glEnable : glDisable)(GL_CULL_FACE);
-    for (const Surface& surface : mesh.surfaces) {
+    for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
+        const BallSurface& surface = mesh.surfaces[i];
         use_surface(program, surface);
-        glDrawElementsInstanced(GL_TRIANGLES, surface.index_count, GL_UNSIGNED_INT,
-                                reinterpret_cast<const void*>(surface.first_index * sizeof(std::uint32_t)), balls);
+        if (way_ == Way::pixels) {
+            glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, pixel_balls_->bind_draw(i));
+        } else {
+            glDrawElementsInstanced(GL_TRIANGLES, surface.index_count, GL_UNSIGNED_INT,
+                                    reinterpret_cast<const void*>(surface.first_index * sizeof(std::uint32_t)),
+                                    static_cast<GLsizei>(picture.ball_count));
+        }
     }
     glDisable(GL_CULL_FACE);
 }

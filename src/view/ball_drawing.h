@@ -1,25 +1,29 @@
 // Draws the balls: as instances of a model, or as ray-cast spheres with the model's first material.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gl/buffer.h"
 #include "gl/program.h"
-#include "gl/texture.h"
 #include "gl/vertex_array.h"
+#include "view/ball_mesh.h"
 #include "view/ball_points.h"
 #include "view/model.h"
 #include "view/picture.h"
+#include "view/pixel_balls.h"
 #include "view/simple_balls.h"
 
 namespace ballpit::view {
 
 class BallDrawing {
 public:
-    BallDrawing(const std::filesystem::path& shader_folder, const Model& model);
+    /// computes: as Renderer has it.
+    BallDrawing(const std::filesystem::path& shader_folder, const Model& model, bool computes);
 
     void set_model(const Model& model);
 
@@ -47,34 +51,33 @@ private:
 
     // Of one look, for balls coloured as such or by value.
     struct LookPrograms {
+        LookPrograms(const std::filesystem::path& shader_folder, const std::string& stem);
         Programs usual;
         Programs valued;
+        gl::Program listed;  // the balls that pixel_balls_ lists
+        gl::Program listed_valued;
     };
 
-    struct Surface {
-        GLsizei index_count = 0;
-        std::size_t first_index = 0;
-        vec3 diffuse{0.0f};
-        vec3 specular{0.0f};
-        float shininess = 1.0f;
-        gl::Texture texture;
+    // How the balls of a picture are drawn.
+    enum class Way : std::uint8_t {
+        instances,  // of a model or a square, each ball
+        points,     // each ball, and all of them far
+        simple,     // points of the simple look
+        pixels,     // balls that are small by pixel, the others as instances
     };
 
-    struct Mesh {
-        gl::VertexArray array;
-        gl::Buffer vertices;
-        gl::Buffer indices;
-        std::vector<Surface> surfaces;
-        bool closed = false;
-    };
-
-    static Mesh make_mesh(const Model& model);
-    Mesh& mesh_for(const Picture& picture);
+    BallMesh& mesh_for(const Picture& picture);
+    void prepare_presences(const Picture& picture);
+    Way way_for(const Picture& picture) const;
+    void find_pixels(const Picture& picture);
     const gl::Program& use(const Programs& programs) const;
     const gl::Program& use(const LookPrograms& programs, const Picture& picture, bool ghosts) const;
     void point_at_instances(gl::VertexArray& array, const Picture& picture) const;
+    void point_at_drawn(gl::VertexArray& array, const Picture& picture) const;
     void draw_look(const Picture& picture, bool ghosts);
-    void use_surface(const gl::Program& program, const Surface& surface) const;
+    void draw_impostors(const Picture& picture, bool ghosts);
+    void draw_models(const Picture& picture, bool ghosts);
+    void use_surface(const gl::Program& program, const BallSurface& surface) const;
 
     LookPrograms model_programs_;
     LookPrograms impostor_programs_;
@@ -82,12 +85,15 @@ private:
     Programs contact_programs_;
     Programs arrow_programs_;
     BallPoints far_balls_;
+    std::optional<PixelBalls> pixel_balls_;  // where the context has compute shaders
     SimpleBalls simple_balls_;
-    std::vector<Mesh> meshes_;  // fine, then the coarser one if there is one
+    std::vector<BallMesh> meshes_;  // fine, then the coarser one if there is one
     gl::VertexArray square_array_;
     gl::Buffer square_;
     gl::VertexArray ball_array_;
     bool faded_ = false;
+    Way way_ = Way::instances;
+    std::vector<NearDraw> near_draws_;
     float presence_ = 1.0f;  // of all balls, or, where some are highlighted, of each
     std::vector<float> presences_;
     gl::Buffer presence_buffer_;

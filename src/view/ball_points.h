@@ -11,7 +11,7 @@
 namespace ballpit::view {
 
 /// Attribute locations of all ball shaders.
-enum BallAttribute : GLuint { at_vertex, at_normal, at_uv, at_ball, at_velocity, at_presence, at_value };
+enum BallAttribute : GLuint { at_vertex, at_normal, at_uv, at_ball, at_velocity, at_presence, at_value, at_number };
 
 /// Positions and velocities of the picture's balls; divisor 1: an instance a ball. The buffers change places every
 /// substep, hence anew for each picture. Without velocities the positions stand in: no shader then looks at them.

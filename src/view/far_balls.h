@@ -3,12 +3,13 @@
 
 #include <cstdint>
 
+#include "view/frame.h"
 #include "view/picture.h"
 
 namespace ballpit::view {
 
 /// Pixels across below which a ball is drawn as a point, and from how many balls on: fewer are drawn as they are.
-inline constexpr float far_below = 6.0f;
+inline constexpr auto far_below = static_cast<float>(FAR_BELOW);
 inline constexpr std::uint32_t far_from = 30000;
 
 /// Pixels across of the largest balls (which a cell is made to hold), as near as the box lets them be.

@@ -27,7 +27,7 @@ enum class BallColour : std::uint8_t {
 };
 
 /// Everything that one picture shows. The buffers must have been written before, as the draw sees them (GPU
-/// backend: after a barrier for vertex attributes), and stay the caller's.
+/// backend: after a barrier for vertex attributes and storage), and stay the caller's.
 struct Picture {
     const gl::Buffer* positions = nullptr;   // vec4 a ball: centre (m), radius (m); null only without balls
     const gl::Buffer* velocities = nullptr;  // vec4 a ball: velocity (m/s), mass (kg); may be null

@@ -14,8 +14,8 @@
 namespace ballpit::view {
 
 struct Renderer::Parts {
-    Parts(const std::filesystem::path& shader_folder, const Model& model)
-        : balls(shader_folder, model),
+    Parts(const std::filesystem::path& shader_folder, const Model& model, bool computes)
+        : balls(shader_folder, model, computes),
           cells(shader_folder),
           overlay(shader_folder),
           surroundings(shader_folder),
@@ -75,8 +75,8 @@ struct Renderer::Parts {
     gl::DepthMap shadow_map{shadow_map_size};
 };
 
-Renderer::Renderer(const std::filesystem::path& shader_folder, const Model& ball_model)
-    : parts_(std::make_unique<Parts>(shader_folder, ball_model)) {}
+Renderer::Renderer(const std::filesystem::path& shader_folder, const Model& ball_model, bool computes)
+    : parts_(std::make_unique<Parts>(shader_folder, ball_model, computes)) {}
 
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -102,9 +102,10 @@ void Renderer::draw(const Picture& picture, const PassMark& mark) {
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LEQUAL);
-    parts_->balls.prepare(picture);
-    parts_->overlay.prepare(picture);
     assert(picture.ball_count == 0 || picture.positions->size() >= picture.ball_count * sizeof(vec4));
+    parts_->overlay.prepare(picture);
+    parts_->balls.prepare(picture);
+    done(Pass::visibility);
     if (frame.shadow_range != 0.0f) {
         parts_->draw_shadow_map(picture);
     }

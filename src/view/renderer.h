@@ -1,5 +1,5 @@
 // Draws a picture from the physics' own buffers: nothing is read back, nothing is copied.
-// Needs OpenGL 3.3 only, so that a machine without compute shaders shows the CPU mirror's balls the same way.
+// OpenGL 3.3 is enough, so that a machine without compute shaders shows the CPU mirror's balls the same way.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,9 @@ namespace ballpit::view {
 
 class Renderer {
 public:
-    /// Reads the drawing shaders of `shader_folder`. Throws gl::ShaderError or gl::Error.
-    Renderer(const std::filesystem::path& shader_folder, const Model& ball_model);
+    /// Reads the drawing shaders of `shader_folder`. computes: make use of compute shaders, where there are any, to
+    /// draw many balls. Throws gl::ShaderError or gl::Error.
+    Renderer(const std::filesystem::path& shader_folder, const Model& ball_model, bool computes = true);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

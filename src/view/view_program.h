@@ -15,4 +15,8 @@ namespace ballpit::view {
 gl::Program load_view_program(const std::filesystem::path& shader_folder, const std::string& stem,
                               const std::vector<std::string_view>& defines = {});
 
+/// The same of <stem>.comp. Needs OpenGL 4.3.
+gl::Program load_compute_program(const std::filesystem::path& shader_folder, const std::string& stem,
+                                 const std::vector<std::string_view>& defines = {});
+
 }  // namespace ballpit::view

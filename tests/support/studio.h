@@ -36,13 +36,14 @@ gl::Buffer buffer_of(const std::vector<T>& elements) {
 }
 
 struct Studio {
-    Renderer renderer{source("glsl"), load_model(source("assets/models/ball.obj"))};
+    Renderer renderer;
     gl::Framebuffer framebuffer{width, height};
     gl::Buffer positions;
     gl::Buffer velocities;
     Picture picture;
 
-    Studio() {
+    explicit Studio(bool computes = true)
+        : renderer(source("glsl"), load_model(source("assets/models/ball.obj")), computes) {
         picture.half_extent = vec3(1.0f);
         picture.box = {vec3(-1.0f), vec3(1.0f)};
         picture.grid = make_grid(dvec3(1.0), 0.25, 1.0, 1);
