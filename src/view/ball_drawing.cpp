@@ -11,7 +11,6 @@
 
 #include "view/far_balls.h"
 #include "view/frame.h"
-#include "view/view_program.h"
 
 namespace ballpit::view {
 
@@ -41,19 +40,6 @@ bool cuts_away(const Picture& picture) {
 
 }  // namespace
 
-BallDrawing::Programs::Programs(const std::filesystem::path& shader_folder, const std::string& stem,
-                                std::vector<std::string_view> defines)
-    : whole(load_view_program(shader_folder, stem, defines)) {
-    defines.emplace_back("FADED");
-    faded = load_view_program(shader_folder, stem, defines);
-}
-
-BallDrawing::LookPrograms::LookPrograms(const std::filesystem::path& shader_folder, const std::string& stem)
-    : usual(shader_folder, stem),
-      valued(shader_folder, stem, {"VALUED"}),
-      listed(load_view_program(shader_folder, stem, {"LISTED"})),
-      listed_valued(load_view_program(shader_folder, stem, {"LISTED", "VALUED"})) {}
-
 BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model& model, bool computes)
     : model_programs_(shader_folder, "ball"),
       impostor_programs_(shader_folder, "ball_impostor"),
@@ -73,7 +59,7 @@ BallDrawing::BallDrawing(const std::filesystem::path& shader_folder, const Model
     set_model(model);
 }
 
-const gl::Program& BallDrawing::use(const Programs& programs) const {
+const gl::Program& BallDrawing::use(const BallPrograms& programs) const {
     const gl::Program& program = faded_ ? programs.faded : programs.whole;
     program.use();
     return program;

@@ -4,15 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "gl/buffer.h"
-#include "gl/program.h"
 #include "gl/vertex_array.h"
 #include "view/ball_mesh.h"
 #include "view/ball_points.h"
+#include "view/ball_programs.h"
 #include "view/model.h"
 #include "view/picture.h"
 #include "view/pixel_balls.h"
@@ -41,23 +39,6 @@ public:
     void draw_arrows(const Picture& picture);
 
 private:
-    // Without and with what only some pictures ask for, so that the others do not pay.
-    struct Programs {
-        Programs(const std::filesystem::path& shader_folder, const std::string& stem,
-                 std::vector<std::string_view> defines = {});
-        gl::Program whole;
-        gl::Program faded;  // some balls see-through or left out
-    };
-
-    // Of one look, for balls coloured as such or by value.
-    struct LookPrograms {
-        LookPrograms(const std::filesystem::path& shader_folder, const std::string& stem);
-        Programs usual;
-        Programs valued;
-        gl::Program listed;  // the balls that pixel_balls_ lists
-        gl::Program listed_valued;
-    };
-
     // How the balls of a picture are drawn.
     enum class Way : std::uint8_t {
         instances,  // of a model or a square, each ball
@@ -70,7 +51,7 @@ private:
     void prepare_presences(const Picture& picture);
     Way way_for(const Picture& picture) const;
     void find_pixels(const Picture& picture);
-    const gl::Program& use(const Programs& programs) const;
+    const gl::Program& use(const BallPrograms& programs) const;
     const gl::Program& use(const LookPrograms& programs, const Picture& picture, bool ghosts) const;
     void point_at_instances(gl::VertexArray& array, const Picture& picture) const;
     void point_at_drawn(gl::VertexArray& array, const Picture& picture) const;
@@ -81,9 +62,9 @@ private:
 
     LookPrograms model_programs_;
     LookPrograms impostor_programs_;
-    Programs shadow_programs_;
-    Programs contact_programs_;
-    Programs arrow_programs_;
+    BallPrograms shadow_programs_;
+    BallPrograms contact_programs_;
+    BallPrograms arrow_programs_;
     BallPoints far_balls_;
     std::optional<PixelBalls> pixel_balls_;  // where the context has compute shaders
     SimpleBalls simple_balls_;

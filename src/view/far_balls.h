@@ -1,4 +1,4 @@
-// When many balls are drawn from afar: a point each, where a model or a ray would be spent on a few pixels.
+// When balls are many, and when they are far: where a model or a ray would be spent on a few pixels.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace ballpit::view {
 
-/// Pixels across below which a ball is drawn as a point, and from how many balls on: fewer are drawn as they are.
+/// Pixels across below which a ball is far, and how many are many: of fewer each is drawn by itself.
 inline constexpr auto far_below = static_cast<float>(FAR_BELOW);
 inline constexpr std::uint32_t far_from = 30000;
 
 /// Pixels across of the largest balls (which a cell is made to hold), as near as the box lets them be.
 float largest_across(const Picture& picture);
 
-/// Whether all balls of the picture are drawn so: then they cast no shadows, either.
+/// Whether the balls of the picture are many and all of them far: then they cast no shadows.
 bool all_far(const Picture& picture);
 
 }  // namespace ballpit::view
