@@ -78,6 +78,9 @@ struct BudgetQuestion {
 
 BudgetQuestion budget_question(const ProbeQuestion& probe, BudgetPreset preset);
 
+/// Of two typical balls of the scene.
+double damping_ratio(const ProbeQuestion& question);
+
 /// Whether critical_dt() is that of the reading: there are two contacts a ball, as in a network that holds itself, or
 /// its stiffest ball is stiffer than what is assumed. A few that touch say nothing of a pile that still falls.
 bool measures_network(const BudgetQuestion& question);
