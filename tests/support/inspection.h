@@ -1,6 +1,7 @@
 // The views into a scene without a window: a session to look into, and what the window does with its views in a frame.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,6 +53,22 @@ struct Loop {
         views.describe(state, session, inspection, view, 8);
     }
     void act(ui::Action action) { REQUIRE(views.act(action, inspection, session)); }
+};
+
+inline bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+inline vec3 grey(float amount) { return vec3(amount); }
+
+/// What panels are told that look into a scene.
+struct Screen {
+    std::array<ui::SceneChoice, 1> scenes{{{"Rain", "Balls fall."}}};
+    ui::State state;
+
+    explicit Screen(const ui::ProbeState& probe) {
+        state.scenes = scenes;
+        state.amount_colour = grey;
+        state.probe = &probe;
+    }
 };
 
 }  // namespace ballpit::test
