@@ -1,5 +1,6 @@
 #version 430 core
-// One thread a key: ball -> (cell id, ball id); the padding up to the next power of two gets sentinels.
+// One thread a key: ball -> (cell id, ball id); the padding up to the next power of two gets sentinels. Where the order
+// is kept, the keys of the substep before tell which ball is where, and balls are counted into their cells at once.
 #include "shared/dispatch.glsl"
 #ifdef DIAGNOSTICS
 #include "shared/status.glsl"
@@ -21,20 +22,29 @@ layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock {
 } params;
 
 #include "shared/cells.glsl"
+#ifdef KEPT_ORDER
+#include "shared/tickets.glsl"
+#endif
 
 layout(std430, binding = SLOT_POSITIONS) readonly buffer PositionsBlock { vec4 positions[]; };
 
 void main() {
-    uint ball = global_index();
-    if (ball >= params.key_count) {
+    uint place = global_index();
+    if (place >= params.key_count) {
         return;
     }
-    if (ball >= params.ball_count) {
-        keys[ball] = Key(SENTINEL, SENTINEL);
+    if (place >= params.ball_count) {
+        keys[place] = Key(SENTINEL, SENTINEL);
         return;
     }
-    vec3 centre = positions[ball].xyz;
-    keys[ball] = Key(cell_id(cell_coordinates(centre)), ball);
+    vec3 centre = positions[place].xyz;
+    uint cell = cell_id(cell_coordinates(centre));
+#ifdef KEPT_ORDER
+    keys[place] = Key(cell, keys[place].ball_id);
+    take_ticket(place, cell);
+#else
+    keys[place] = Key(cell, place);
+#endif
 #ifdef DIAGNOSTICS
     if (any(lessThan(centre, params.box_lower)) || any(greaterThan(centre, params.box_upper))) {
         atomicOr(status.bits, STATUS_OUT_OF_BOUNDS);

@@ -228,19 +228,26 @@ void main() {
     }
 #ifdef SORTED_COPIES
     uint id = keys[place].ball_id;
+#ifndef KEPT_ORDER
     if (id >= params.ball_count) {
-        return;
+        return;   // a key that no sort has put there
     }
+#endif
 #else
     uint id = place;
+#endif
+#ifdef KEPT_ORDER
+    uint next = place;   // where its next state goes
+#else
+    uint next = id;
 #endif
     vec4 position = positions[place];
     vec4 velocity = velocities[place];
 #ifdef QUARANTINE
     if (position.w < 0.0) {
 #ifdef LAW_CONTACT
-        next_positions[id] = position;
-        next_velocities[id] = velocity;
+        next_positions[next] = position;
+        next_velocities[next] = velocity;
 #endif
         return;
     }
@@ -285,8 +292,8 @@ void main() {
     compensations[id] = Compensation(left_of_x.x, left_of_x.y, left_of_x.z, left_of_v.x, left_of_v.y, left_of_v.z);
 #endif
 #ifdef LAW_CONTACT
-    next_positions[id] = vec4(x, position.w);
-    next_velocities[id] = vec4(v, velocity.w);
+    next_positions[next] = vec4(x, position.w);
+    next_velocities[next] = vec4(v, velocity.w);
 #else
     positions[id] = vec4(x, position.w);
     velocities[id] = vec4(v, velocity.w);

@@ -1,12 +1,11 @@
 #version 430 core
-// One thread a ball: it is counted into its cell, and takes a ticket: how many were counted before it. Which of the
-// balls of a cell gets which ticket depends on who comes first; order_keys makes up for that.
+// One thread a ball: it is counted into its cell, and takes a ticket.
 #include "shared/dispatch.glsl"
 #ifdef DIAGNOSTICS
 #include "shared/status.glsl"
 #endif
 #include "shared/keys.glsl"
-#include "shared/used_tiles.glsl"
+#include "shared/tickets.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -14,9 +13,6 @@ layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock {
     uint ball_count;
     uint cell_count;
 } params;
-
-layout(std430, binding = SLOT_CELL_RANGES) buffer CellRangesBlock { CellRange cell_ranges[]; };
-layout(std430, binding = BINDING_TICKETS) writeonly buffer TicketsBlock { uint tickets[]; };
 
 void main() {
     uint ball = global_index();
@@ -31,6 +27,5 @@ void main() {
 #endif
         return;
     }
-    tickets[ball] = atomicAdd(cell_ranges[cell].end, 1u);
-    mark_tile(cell);
+    take_ticket(ball, cell);
 }

@@ -18,11 +18,12 @@ layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock {
 #endif
 } params;
 
+// Where the order is kept these are the sorted copies, and a thread has a slot.
 layout(std430, binding = SLOT_POSITIONS) readonly buffer PositionsBlock { vec4 positions[]; };
 layout(std430, binding = SLOT_BUILT_POSITIONS) readonly buffer BuiltPositionsBlock { vec4 built_positions[]; };
 
 struct Ball {
-    uint id;
+    uint id;                     // its place in `positions`
     vec3 position;
     float radius;
     uvec3 built_cell;            // where the grid before has it
@@ -73,12 +74,17 @@ void main() {
     barrier();
     uint id = sliced_index();
     if (id < params.ball_count) {
+#ifdef KEPT_ORDER
+        vec4 built_position = built_positions[keys[id].ball_id];
+#else
+        vec4 built_position = built_positions[id];
+#endif
         vec4 position = positions[id];
-        precise vec3 way = position.xyz - built_positions[id].xyz;
+        precise vec3 way = position.xyz - built_position.xyz;
         float way_squared = length_squared(way);
         atomicMax(farthest, floatBitsToUint(isnan(way_squared) ? 0.0 : way_squared));   // in order, as none is negative
         Missed missed = Missed(0u);
-        uvec3 built_cell = cell_coordinates(built_positions[id].xyz);
+        uvec3 built_cell = cell_coordinates(built_position.xyz);
         if (position.w > 0.0 && built_cell != cell_coordinates(position.xyz)) {   // those in quarantine touch nobody
             add_neighbours(Ball(id, position.xyz, radius_of(position), built_cell), missed);
         }

@@ -1,19 +1,12 @@
 #version 430 core
-// One thread a slot: copies of the state in the order of the sorted keys, so that balls that are near each other lie near
-// each other in memory, where collide reads them.
+// One thread a slot: the state of its ball, copied into the order of the sorted keys.
 #include "shared/dispatch.glsl"
 #include "shared/keys.glsl"
+#include "shared/sorted_copies.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 
 layout(std140, binding = BLOCK_PARAMS) uniform ParamsBlock { uint ball_count; } params;
-
-layout(std430, binding = SLOT_POSITIONS) readonly buffer PositionsBlock { vec4 positions[]; };
-layout(std430, binding = SLOT_VELOCITIES) readonly buffer VelocitiesBlock { vec4 velocities[]; };
-layout(std430, binding = BINDING_GATHERED_POSITIONS) writeonly buffer SortedPositionsBlock { vec4 sorted_positions[]; };
-layout(std430, binding = BINDING_GATHERED_VELOCITIES) writeonly buffer SortedVelocitiesBlock {
-    vec4 sorted_velocities[];
-};
 
 void main() {
     uint slot = global_index();
@@ -22,7 +15,6 @@ void main() {
     }
     uint ball = keys[slot].ball_id;
     if (ball < params.ball_count) {
-        sorted_positions[slot] = positions[ball];
-        sorted_velocities[slot] = velocities[ball];
+        copy_state(ball, slot);
     }
 }

@@ -1,6 +1,10 @@
 #version 430 core
 // One thread a ball: remembers where balls are now that a grid has been built, for count_missed to compare with.
+// Where the order is kept, one a slot, and the sorted copies tell.
 #include "shared/dispatch.glsl"
+#ifdef KEPT_ORDER
+#include "shared/keys.glsl"
+#endif
 
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -12,8 +16,12 @@ layout(std430, binding = SLOT_POSITIONS) readonly buffer PositionsBlock { vec4 p
 layout(std430, binding = SLOT_BUILT_POSITIONS) writeonly buffer BuiltPositionsBlock { vec4 built_positions[]; };
 
 void main() {
-    uint ball = global_index();
-    if (ball < params.ball_count) {
-        built_positions[ball] = positions[ball];
+    uint place = global_index();
+    if (place < params.ball_count) {
+#ifdef KEPT_ORDER
+        built_positions[keys[place].ball_id] = positions[place];
+#else
+        built_positions[place] = positions[place];
+#endif
     }
 }

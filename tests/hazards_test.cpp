@@ -72,4 +72,11 @@ TEST_CASE("a buffer keeps its hazards when roles are exchanged", "[ledger]") {
     CHECK(hazards.before_use(Slot::next_positions, Use::vertex) == 0);
     hazards.swap_states();
     CHECK(hazards.before_use(Slot::next_positions, Use::vertex) == only(Use::vertex));
+    hazards.swap_copies();
+    CHECK(hazards.physical(Slot::next_positions) == static_cast<std::size_t>(Slot::sorted_positions));
+    CHECK(hazards.before_use(Slot::sorted_positions, Use::vertex) == only(Use::vertex));
+    CHECK(hazards.before_use(Slot::next_positions, Use::vertex) == 0);
+    hazards.swap_states();  // the state can be in any of three buffers
+    CHECK(hazards.physical(Slot::positions) == static_cast<std::size_t>(Slot::sorted_positions));
+    CHECK(hazards.physical(Slot::next_positions) == static_cast<std::size_t>(Slot::positions));
 }

@@ -38,8 +38,8 @@ TEST_CASE("every buffer is a table with units, paged where it is long", "[inspec
         INFO(slot_name(slot));
         const std::string words = text();
         CHECK(contains(words, slot_name(slot)));
-        const std::array absent = {Slot::damping_ratios, Slot::compensations,  Slot::built_positions,
-                                   Slot::tickets,        Slot::scattered_keys, Slot::tile_counts};
+        const std::array absent = {Slot::damping_ratios, Slot::compensations, Slot::built_positions, Slot::tickets,
+                                   Slot::scattered_keys, Slot::tile_counts,   Slot::origins};
         if (std::ranges::count(absent, slot) > 0) {
             CHECK(contains(words, "Empty"));
         } else {

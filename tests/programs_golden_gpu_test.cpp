@@ -36,6 +36,11 @@ void add_programs(std::set<Program>& programs, const Scene& scene) {
     for (const Program& program : shipped_programs({&scene, 1})) {
         programs.insert(program);
     }
+    if (const Schedule schedule = first_schedule(scene); can_keep_order(schedule)) {
+        for (const Dispatch& dispatch : there_and_back(schedule).dispatches) {
+            programs.insert(dispatch.program);
+        }
+    }
 }
 
 // Each law alone, each beside contact and walls, and each choice that is a program of its own.
@@ -66,7 +71,12 @@ std::set<Program> single_law_programs() {
     scene.settings.pull = Pull{3, dvec3(0.0)};
     add_programs(programs, scene);
     scene = test::scene_with("contact", 100);
-    scene.settings.sort = SortMethod::bitonic;
+    for (const SortMethod sort : {SortMethod::bitonic, SortMethod::counting}) {
+        scene.settings.sort = sort;
+        add_programs(programs, scene);
+    }
+    scene.settings.laws.diagnostics = true;
+    scene.settings.grid_reuse = 2;
     add_programs(programs, scene);
     return programs;
 }
@@ -221,12 +231,12 @@ TEST_CASE_METHOD(GlFixture, "each single #ifdef of a law that is taken away is n
     for (const std::string file : shader_files) {
         const std::vector<std::string> lines = lines_of(test::shader_folder() / file);
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            const bool of_law =
-                is_conditional(lines[i]) && std::ranges::any_of(feature_defines, [&](auto define) {
-                    // Of where the state is read and of how much is sorted at once the names say
-                    // nothing; check_gpu_test compares with the mirror.
-                    return define != "SORTED_COPIES" && define != "SMALL_TILES" && mentions(lines[i], define);
-                });
+            const bool of_law = is_conditional(lines[i]) && std::ranges::any_of(feature_defines, [&](auto define) {
+                                    // Of where the state is read and written and of how much is sorted at once the
+                                    // names say nothing; check_gpu_test compares with the mirror.
+                                    return define != "SORTED_COPIES" && define != "KEPT_ORDER" &&
+                                           define != "SMALL_TILES" && mentions(lines[i], define);
+                                });
             if (!of_law || leaves_no_name(lines, i)) {
                 continue;
             }

@@ -55,7 +55,12 @@ std::set<Program> all_programs() {
             }
         }
         for (const SortMethod sort : {SortMethod::bitonic, SortMethod::bitonic_fused, SortMethod::counting}) {
-            for (const Dispatch& dispatch : make_schedule(5000, grid, Features{bits}, sort).dispatches) {
+            const Schedule schedule = make_schedule(5000, grid, Features{bits}, sort, 2);
+            std::vector<Dispatch> dispatches = schedule.dispatches;
+            if (can_keep_order(schedule)) {
+                std::ranges::copy(there_and_back(schedule).dispatches, std::back_inserter(dispatches));
+            }
+            for (const Dispatch& dispatch : dispatches) {
                 if (news || dispatch.program.shader != Shader::collide) {
                     programs.insert(dispatch.program);
                 }

@@ -128,7 +128,7 @@ TEST_CASE("every bad value is refused in one sentence", "[core]") {
                 R"(s.json, /compute/sort: expected one of bitonic, bitonic_fused, counting, auto, found "quick")"},
         Refusal{R"("time": {)", R"("compute": { "neighbors": "grid" }, "time": {)",
                 "s.json, /compute: expected no other keys than sort, cell_factor, grid_reuse, neighbours, "
-                "sorted_copies, found "
+                "sorted_copies, keep_order, found "
                 "'neighbors'"},
         Refusal{R"("time": {)", R"("bounds": { "overlap": 1 }, "time": {)",
                 "s.json, /bounds: expected a key 'speed', found none"},

@@ -189,6 +189,8 @@ TEST_CASE("every dispatch has a thread for each ball, pair, slot and cell", "[co
                     case Shader::count_missed:
                     case Shader::keep_places:
                     case Shader::gather:
+                    case Shader::start_order:
+                    case Shader::put_back:
                     case Shader::collide:
                         CHECK(groups * GROUP_SIZE >= balls);
                         break;

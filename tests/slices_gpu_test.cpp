@@ -103,7 +103,7 @@ TEST_CASE_METHOD(GlFixture, "a grid's collide and count of what was missed in sl
 TEST_CASE_METHOD(GlFixture, "the counting sort's cells are put in order in slices, too", "[gpu-backend]") {
     Scene scene = crowd(NeighbourSearch::grid, 1);
     scene.settings.sort = SortMethod::counting;
-    scene.settings.cell_factor = 3.0;  // in one cell the keys would be in order beforehand
+    scene.settings.cell_factor = 3.0;     // in one cell the keys would be in order beforehand
     same_in_slices(scene, 2 * substeps);  // order_keys and collide
 }
 

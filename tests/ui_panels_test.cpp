@@ -244,13 +244,13 @@ TEST_CASE("nobody touches anything: nothing is asked for", "[ui]") {
 
 // Clicks all over the side panel. The state never changes, so each command shows what one click does.
 TEST_CASE("whatever is clicked asks for something that can be had, and every control is reached", "[ui]") {
-    test::HeadlessGui gui;
+    test::HeadlessGui gui(ImVec2(1280.0f, 1080.0f));  // high enough for what would be scrolled to
     ui::State state = full_state();
     std::set<std::size_t> kinds;
     std::set<ui::Action> actions;
-    for (std::uint64_t i = 0; i < 9000; ++i) {
+    for (std::uint64_t i = 0; i < 14000; ++i) {
         const auto x = static_cast<float>(900.0 + 380.0 * random_unit(3, 0, i));
-        const auto y = static_cast<float>(720.0 * random_unit(3, 1, i));
+        const auto y = static_cast<float>(1080.0 * random_unit(3, 1, i));
         state.settings.stiffness = i % 2 == 0 ? 1000.0 : 500.0;  // so that there is a value to reset
         for (const ui::Command& command : gui.click(state, x, y)) {
             kinds.insert(command.index());

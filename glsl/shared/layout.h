@@ -12,7 +12,6 @@
 #define SORT_SMALL_GROUP_SIZE 256
 #define SORT_SMALL_KEYS 65536     // few: up to so many
 #define STRIDE_KEYS 8             // keys that three passes connect: a thread takes them through all three
-#define NEAR_SLOTS 16             // balls within reach that a thread of collide notes before it adds up their forces
 #define TILE_GROUP_SIZE 256       // threads of a work group that goes through a tile of the cell table
 #define TILE_CELLS 4096           // cells of a tile
 #define FOLDED_WIDTH 32768        // groups of a row, where a dispatch has more than the 65535 that GL guarantees
@@ -27,8 +26,8 @@
 #define SLOT_KEYS 3               // Key a slot, padded to the next power of two
 #define SLOT_CELL_RANGES 4        // CellRange a cell
 #define SLOT_STATUS 5             // one Status
-#define SLOT_NEXT_POSITIONS 6     // as SLOT_POSITIONS, written by collide
-#define SLOT_NEXT_VELOCITIES 7    // as SLOT_VELOCITIES, written by collide
+#define SLOT_NEXT_POSITIONS 6     // as SLOT_POSITIONS, written by collide; where the order is kept, in that of the keys
+#define SLOT_NEXT_VELOCITIES 7    // as SLOT_VELOCITIES, the same
 #define SLOT_COMPENSATIONS 8      // Compensation a ball, only where sums are compensated
 #define SLOT_BUILT_POSITIONS 9    // as SLOT_POSITIONS, when the grid was built; only where a grid is used more than once
 #define SLOT_SORTED_POSITIONS 10  // as SLOT_POSITIONS, in the order of the sorted keys
@@ -37,15 +36,17 @@
 #define SLOT_TICKETS 13           // uint a ball: how many balls have been counted into its cell before it
 #define SLOT_SCATTERED_KEYS 14    // Key a slot: in the slots of its cell, in any order
 #define SLOT_TILE_COUNTS 15       // uint a tile: balls in its cells
-#define SLOT_COUNT 16
+#define SLOT_ORIGINS 16           // uint a slot: where in the order of the substep before its ball was
+#define SLOT_COUNT 17
 
 // Slots from 10 on take the binding of a slot that the same shader does not use: core/schedule.h has them as
-// binding_of(). collide finds the sorted copies where it otherwise finds the state.
+// binding_of(). Whoever reads the state finds it under SLOT_POSITIONS, wherever it is kept.
 #define BINDING_GATHERED_POSITIONS SLOT_NEXT_POSITIONS
 #define BINDING_GATHERED_VELOCITIES SLOT_NEXT_VELOCITIES
 #define BINDING_USED_TILES SLOT_DAMPING_RATIOS
 #define BINDING_TICKETS SLOT_NEXT_POSITIONS
-#define BINDING_SCATTERED_KEYS SLOT_NEXT_VELOCITIES
+#define BINDING_SCATTERED_KEYS SLOT_STATUS
+#define BINDING_ORIGINS SLOT_DAMPING_RATIOS
 #define BINDING_TILE_COUNTS SLOT_NEXT_POSITIONS
 
 // hash_state is no part of a substep; its ring of results takes the place of a slot that it does not read.

@@ -7,21 +7,31 @@ layout(std430, binding = SLOT_CELL_RANGES) readonly buffer CellRangesBlock { Cel
 CellRange row_range(uvec3 middle, uint y, uint z) {
     CellRange row = CellRange(SENTINEL, 0u);
     if (y < params.grid_cells.y && z < params.grid_cells.z) {   // -1 is a large number, too
-        uint first_cell = cell_id(uvec3(0u, y, z));
-        for (uint x = middle.x - min(middle.x, 1u); x <= min(middle.x + 1u, params.grid_cells.x - 1u); ++x) {
-            CellRange range = cell_ranges[first_cell + x];
-            if (range.end > 0u) {
-                row.first = min(row.first, range.first);
-            }
-            row.end = max(row.end, range.end);
+        uint cell = cell_id(uvec3(middle.x, y, z));
+        CellRange ranges[3];   // at the end of a row the same cell twice, which changes nothing
+        ranges[0] = cell_ranges[cell - min(middle.x, 1u)];
+        ranges[1] = cell_ranges[cell];
+        ranges[2] = cell_ranges[cell + min(params.grid_cells.x - 1u - middle.x, 1u)];
+        for (uint i = 0u; i < 3u; ++i) {
+            row.first = min(row.first, ranges[i].end > 0u ? ranges[i].first : SENTINEL);
+            row.end = max(row.end, ranges[i].end);
         }
     }
     return row;
 }
 
+#ifdef KEPT_ORDER
+uint place_of(uint slot) { return slot; }
+#else
+uint place_of(uint slot) { return keys[slot].ball_id; }
+#endif
+
 #ifdef SORTED_COPIES
 // First all that are near enough are found, then their forces are added, both in one order. Threads next to each other
 // find different ones: were each force added where its ball is found, nearly all of them would wait for a few each time.
+// What is noted takes room that a cache could have: as much as twelve balls need, which is how many of one size can touch
+// another at once, and one more; whoever overlaps with more adds up in between.
+#define NEAR_SLOTS 13
 shared uint near_slots[NEAR_SLOTS * GROUP_SIZE];
 
 void add_near(Ball a, uint count, inout NEIGHBOUR_SUM sum) {
@@ -51,9 +61,9 @@ void add_neighbours(Ball a, inout NEIGHBOUR_SUM sum) {
                 }
             }
 #else
-            uint id = keys[slot].ball_id;
-            if (id != a.id) {
-                add_pair(a, id, sum);
+            uint other = place_of(slot);
+            if (other != a.id) {
+                add_pair(a, other, sum);
             }
 #endif
         }

@@ -9,6 +9,14 @@ uint ball_at(uint place) {
 #endif
 }
 
+uint id_of(Ball a) {
+#ifdef SORTED_COPIES
+    return ball_at(a.place);   // asked for only where it matters
+#else
+    return a.id;
+#endif
+}
+
 float ordered_dot(vec3 a, vec3 b) {
     precise float sum = a.x * b.x + a.y * b.y + a.z * b.z;   // dot() may add in any order
     return sum;
@@ -66,13 +74,13 @@ bool touches(Ball a, uint place, out vec3 normal, out float overlap, out float r
 #endif
     if (distance_squared < reach_squared && !held) {   // false for NaN
 #ifdef DIAGNOSTICS
-        if (distance_squared == 0.0 && a.id < ball_at(place)) {
+        if (distance_squared == 0.0 && id_of(a) < ball_at(place)) {
             atomicOr(status.bits, STATUS_COINCIDENT);
             atomicAdd(status.coincident, 1u);
         }
 #endif
         float separation = sqrt(distance_squared);
-        precise vec3 direction = distance_squared > 0.0 ? offset / separation : coincident_direction(a.id, ball_at(place));
+        precise vec3 direction = distance_squared > 0.0 ? offset / separation : coincident_direction(id_of(a), ball_at(place));
         precise float depth = reach - separation;
         normal = direction;
         overlap = depth;

@@ -99,7 +99,7 @@ void time_dispatches(Simulation& simulation, std::uint64_t steps, BenchRow& row)
     BenchTimer timer(simulation.backend());
     const auto start = Clock::now();
     for (std::uint64_t i = 0; i < steps; ++i) {
-        const Schedule& schedule = simulation.schedule();
+        const Schedule& schedule = simulation.whole_schedule();
         timer.begin();
         simulation.begin_substep();
         for (std::size_t d = 0; d < schedule.dispatches.size(); ++d) {
@@ -107,7 +107,7 @@ void time_dispatches(Simulation& simulation, std::uint64_t steps, BenchRow& row)
             timer.mark();
         }
         timer.end();
-        simulation.end_substep();
+        simulation.end_substep(schedule);
         simulation.step();  // the rest of it, or, where there is none, another one
     }
     simulation.backend().finish();
@@ -183,7 +183,7 @@ double share_of_builds(const Schedule& schedule, const Settings& settings) {
 
 void describe(const Simulation& simulation, BenchRow& row) {
     const Settings& settings = simulation.settings();
-    const Schedule& schedule = simulation.schedule();
+    const Schedule& schedule = simulation.whole_schedule();
     row.backend = simulation.backend().name();
     row.scene = simulation.scene().name;
     row.balls = settings.balls;
@@ -255,7 +255,7 @@ BenchRow measure_row(Simulation& simulation, const Checkpoint& start, const Sett
     begin_again(simulation, start, settings);
     BenchRow row;
     describe(simulation, row);
-    const Schedule schedule = simulation.schedule();
+    const Schedule schedule = simulation.whole_schedule();
     row.crowding = measure::crowding_of(read_slot<vec4>(simulation.backend(), Slot::positions), schedule.grid);
     row.steps = warm_up(simulation, plan);
     begin_again(simulation, start, settings);

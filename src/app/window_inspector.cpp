@@ -42,6 +42,15 @@ void Inspector::forget_unwanted() {
     }
 }
 
+// What a substep leaves behind for nobody but itself, and one that keeps the order leaves otherwise.
+bool Inspector::wants_what_is_left() const {
+    constexpr std::array left = {Slot::next_positions,    Slot::next_velocities, Slot::sorted_positions,
+                                 Slot::sorted_velocities, Slot::tickets,         Slot::scattered_keys,
+                                 Slot::tile_counts,       Slot::origins};
+    return std::ranges::any_of(left,
+                               [this](Slot slot) { return wants_[index(slot)].panel || wants_[index(slot)].late; });
+}
+
 void Inspector::update(Session& session, bool running, double now_s) {
     if (layout_ != session.layout_changes()) {
         layout_ = session.layout_changes();
@@ -51,6 +60,7 @@ void Inspector::update(Session& session, bool running, double now_s) {
         keys_position_.reset();
     }
     forget_unwanted();
+    session.stepper().set_watched(!running || wants_what_is_left());
     if (!running) {
         read_now(session, now_s);
     }

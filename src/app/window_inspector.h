@@ -65,6 +65,7 @@ private:
         double asked_s = 0.0;
     };
 
+    bool wants_what_is_left() const;
     static std::size_t index(Slot slot) { return static_cast<std::size_t>(slot); }
     bool fresh(std::size_t slot, std::uint64_t revision) const;
     void keep(std::size_t slot, Bytes bytes, std::uint64_t revision, double now_s);

@@ -231,8 +231,10 @@ void Session::prepare_cells() {
     }
     Backend& backend = simulation_->backend();
     const Bytes status = backend.read(Slot::status);
-    const auto built = std::ranges::find_if(schedule.dispatches,
-                                            [](const Dispatch& d) { return d.program.shader == Shader::build_grid; });
+    // The one that leaves both the keys sorted and the cells' ranges.
+    const auto built = std::ranges::find_if(schedule.dispatches, [](const Dispatch& d) {
+        return d.program.shader == Shader::build_grid || d.program.shader == Shader::order_keys;
+    });
     if (built == schedule.dispatches.end()) {
         return;  // the grid that is there is the one that will be used
     }

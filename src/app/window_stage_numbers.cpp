@@ -33,7 +33,9 @@ measure::StageNumbers numbers_of(const Inspector& inspector, const ui::SteppingS
             return measure::ClearNumbers{schedule.cell_count};
         case Shader::count_cells:
         case Shader::count_tiles:
-            return {};  // the table holds counts, no ranges yet
+        case Shader::start_order:
+        case Shader::put_back:
+            return {};  // the table holds counts, no ranges yet; where somebody steps, no order is kept
         case Shader::build_grid:
         case Shader::scan_cells:
         case Shader::scatter_keys:
@@ -75,6 +77,8 @@ void StageNumbersReader::ask(Inspector& inspector, const ui::SteppingState& step
         case Shader::clear_cells:
         case Shader::count_cells:
         case Shader::count_tiles:
+        case Shader::start_order:
+        case Shader::put_back:
             break;
         case Shader::build_grid:
         case Shader::scan_cells:

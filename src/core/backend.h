@@ -70,8 +70,15 @@ public:
     virtual void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
                      std::size_t last) = 0;
 
-    /// Ends a substep: what collide wrote becomes the state.
+    /// Ends a substep that swaps_states: what collide wrote becomes the state.
     virtual void swap_states() = 0;
+
+    /// Whether it runs substeps that keep the order (schedule.h), and hides from everybody else that the state is not
+    /// in the order of ball ids: whoever looks at positions or velocities finds them where they belong.
+    virtual bool keeps_order() const { return false; }
+    /// Whether the last substep kept the order, and nothing has put the state elsewhere since: then a substep that uses
+    /// the same grid again may follow.
+    virtual bool is_in_order() const { return false; }
 
     /// Copies the state, at the start of a substep, without waiting for the device.
     virtual std::unique_ptr<SavedState> save() = 0;

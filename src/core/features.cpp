@@ -21,6 +21,7 @@ Features features_of(const Settings& settings, const Variety& variety, bool wall
     features.add(Feature::brute_force, laws.contact && settings.neighbours == NeighbourSearch::brute_force);
     features.add(Feature::sorted_copies,
                  laws.contact && settings.sorted_copies && settings.neighbours == NeighbourSearch::grid);
+    features.add(Feature::kept_order, features.has(Feature::sorted_copies) && settings.keep_order);
     features.add(Feature::unequal_radii, touching && (laws.unequal_radii || variety.radii));
     features.add(Feature::unequal_masses, touching && (laws.unequal_masses || variety.masses));
     features.add(Feature::moving_walls, laws.walls && walls_move && dashpot);

@@ -31,9 +31,10 @@ enum class Feature : std::uint32_t {
     semi_implicit = 1u << 17,   // a dashpot that no substep is too long for
     sorted_copies = 1u << 18,   // collide reads the state in the order of the sorted keys
     small_tiles = 1u << 19,     // of the fused sort alone
+    kept_order = 1u << 20,      // balls stay in the order of their cells from substep to substep
 };
 
-inline constexpr std::array<std::string_view, 20> feature_defines = {"LAW_GRAVITY",
+inline constexpr std::array<std::string_view, 21> feature_defines = {"LAW_GRAVITY",
                                                                      "LAW_DRAG",
                                                                      "LAW_CONTACT",
                                                                      "LAW_DASHPOT",
@@ -52,7 +53,8 @@ inline constexpr std::array<std::string_view, 20> feature_defines = {"LAW_GRAVIT
                                                                      "LAW_COMPENSATED",
                                                                      "LAW_SEMI_IMPLICIT",
                                                                      "SORTED_COPIES",
-                                                                     "SMALL_TILES"};
+                                                                     "SMALL_TILES",
+                                                                     "KEPT_ORDER"};
 
 struct Features {
     std::uint32_t bits = 0;

@@ -1,23 +1,24 @@
 #include "core/hazards.h"
 
+#include <numeric>
+#include <utility>
+
 namespace ballpit {
 
-std::size_t Hazards::physical(Slot slot) const {
-    if (swapped_) {
-        switch (slot) {
-            case Slot::positions:
-                return static_cast<std::size_t>(Slot::next_positions);
-            case Slot::velocities:
-                return static_cast<std::size_t>(Slot::next_velocities);
-            case Slot::next_positions:
-                return static_cast<std::size_t>(Slot::positions);
-            case Slot::next_velocities:
-                return static_cast<std::size_t>(Slot::velocities);
-            default:
-                break;
-        }
-    }
-    return static_cast<std::size_t>(slot);
+Hazards::Hazards() { std::iota(buffers_.begin(), buffers_.end(), std::size_t{0}); }
+
+void Hazards::swap(Slot a, Slot b) {
+    std::swap(buffers_[static_cast<std::size_t>(a)], buffers_[static_cast<std::size_t>(b)]);
+}
+
+void Hazards::swap_states() {
+    swap(Slot::positions, Slot::next_positions);
+    swap(Slot::velocities, Slot::next_velocities);
+}
+
+void Hazards::swap_copies() {
+    swap(Slot::next_positions, Slot::sorted_positions);
+    swap(Slot::next_velocities, Slot::sorted_velocities);
 }
 
 Uses Hazards::before(const Dispatch& dispatch) const {

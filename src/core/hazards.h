@@ -20,12 +20,17 @@ constexpr Uses only(Use use) { return 1u << static_cast<unsigned>(use); }
 inline constexpr Uses all_uses = (1u << use_count) - 1;
 
 /// Keeps, for each buffer, the uses to which its last shader write is not yet visible, and whether a shader may still
-/// be reading it. A slot is a role that a buffer plays: swap_states() exchanges the roles.
+/// be reading it. A slot is a role that a buffer plays, and roles can be exchanged.
 class Hazards {
 public:
+    Hazards();
+
     /// The buffer that plays this role, from 0 to slot_count - 1.
-    std::size_t physical(Slot slot) const;
-    void swap_states() { swapped_ = !swapped_; }
+    std::size_t physical(Slot slot) const { return buffers_[static_cast<std::size_t>(slot)]; }
+    /// positions and next_positions, velocities and next_velocities.
+    void swap_states();
+    /// next_positions and sorted_positions, next_velocities and sorted_velocities.
+    void swap_copies();
 
     /// The uses that a barrier must name before the slot is used so; none where nothing is pending.
     Uses before_use(Slot slot, Use use) const { return pending_[physical(slot)] & only(use); }
@@ -40,9 +45,11 @@ public:
     void shader_reads(Slot slot) { read_[physical(slot)] = true; }
 
 private:
+    void swap(Slot a, Slot b);
+
+    std::array<std::size_t, slot_count> buffers_{};
     std::array<Uses, slot_count> pending_{};
     std::array<bool, slot_count> read_{};
-    bool swapped_ = false;
 };
 
 }  // namespace ballpit

@@ -21,7 +21,7 @@ BarrierCount run_in_the_books(const Schedule& schedule, Hazards& hazards) {
         }
         hazards.ran(dispatch);
     }
-    if (!schedule.in_place) {
+    if (schedule.swaps_states) {
         hazards.swap_states();
     }
     return count;
@@ -51,6 +51,7 @@ std::array<std::size_t, slot_count> bytes_of(const Schedule& schedule) {
         of(Slot::scattered_keys) = schedule.ball_count * sizeof(Key);
         of(Slot::tile_counts) = of(Slot::used_tiles);
     }
+    of(Slot::origins) = can_keep_order(schedule) ? schedule.ball_count * sizeof(std::uint32_t) : 0;
     of(Slot::status) = sizeof(Status);
     return bytes;
 }

@@ -151,7 +151,7 @@ void read_time(const JsonValue& time, Scene& scene) {
 }
 
 void read_compute(const JsonValue& compute, Scene& scene) {
-    compute.expect_object({"sort", "cell_factor", "grid_reuse", "neighbours", "sorted_copies"});
+    compute.expect_object({"sort", "cell_factor", "grid_reuse", "neighbours", "sorted_copies", "keep_order"});
     if (const auto sort = compute.optional("sort")) {
         scene.settings.sort = read_choice<SortMethod>(*sort, sort_names);
     }
@@ -166,6 +166,9 @@ void read_compute(const JsonValue& compute, Scene& scene) {
     }
     if (const auto copies = compute.optional("sorted_copies")) {
         scene.settings.sorted_copies = copies->boolean();
+    }
+    if (const auto keep = compute.optional("keep_order")) {
+        scene.settings.keep_order = keep->boolean();
     }
 }
 

@@ -100,6 +100,9 @@ Json compute_json(const Settings& settings) {
     if (settings.sorted_copies != usual.sorted_copies) {
         compute["sorted_copies"] = settings.sorted_copies;
     }
+    if (settings.keep_order != usual.keep_order) {
+        compute["keep_order"] = settings.keep_order;
+    }
     return compute;
 }
 

@@ -38,14 +38,16 @@ enum class Shader : std::uint8_t {
     count_missed,
     keep_places,
     gather,
+    start_order,
+    put_back,
     collide
 };
-inline constexpr std::array<std::string_view, 15> shader_names = {
-    "assign_cells",         "bitonic_sort", "bitonic_sort_fused",
-    "bitonic_sort_strides", "clear_cells",  "build_grid",
-    "count_cells",          "count_tiles",  "scan_cells",
-    "scatter_keys",         "order_keys",   "count_missed",
-    "keep_places",          "gather",       "collide"};
+inline constexpr std::array<std::string_view, 17> shader_names = {
+    "assign_cells", "bitonic_sort", "bitonic_sort_fused", "bitonic_sort_strides",
+    "clear_cells",  "build_grid",   "count_cells",        "count_tiles",
+    "scan_cells",   "scatter_keys", "order_keys",         "count_missed",
+    "keep_places",  "gather",       "start_order",        "put_back",
+    "collide"};
 constexpr std::string_view shader_name(Shader shader) { return shader_names[static_cast<std::size_t>(shader)]; }
 
 /// The buffers, by the role they play in a substep.
@@ -66,13 +68,15 @@ enum class Slot : std::uint8_t {
     tickets = SLOT_TICKETS,
     scattered_keys = SLOT_SCATTERED_KEYS,
     tile_counts = SLOT_TILE_COUNTS,
+    origins = SLOT_ORIGINS,
 };
 inline constexpr std::size_t slot_count = SLOT_COUNT;
 inline constexpr std::array<std::string_view, slot_count> slot_names = {
     "positions",     "velocities",      "damping_ratios",   "keys",
     "cell_ranges",   "status",          "next_positions",   "next_velocities",
     "compensations", "built_positions", "sorted_positions", "sorted_velocities",
-    "used_tiles",    "tickets",         "scattered_keys",   "tile_counts"};
+    "used_tiles",    "tickets",         "scattered_keys",   "tile_counts",
+    "origins"};
 constexpr std::string_view slot_name(Slot slot) { return slot_names[static_cast<std::size_t>(slot)]; }
 
 /// The number under which a shader finds a slot: its own, or that of a slot that the shader does not use.
@@ -113,6 +117,9 @@ struct Schedule {
     std::uint32_t cell_count = 0;
     bool counts_cells = false;  // a counting sort
     bool in_place = false;      // no ball looks at another: one state buffer will do, nothing is written to next_*
+    bool swaps_states = false;  // the next state is in next_*: positions and next_positions change roles at the end
+    bool keeps_order = false;   // the state is in next_* at either end of a substep, in the order of its keys
+    bool swaps_copies = false;  // and from there on plays the part of the sorted copies, because nothing sorts
     bool keeps_places = false;  // where balls were when the grid was built is kept, to tell what a used grid misses
 };
 
@@ -133,7 +140,22 @@ std::uint32_t tile_count(std::uint32_t cell_count);
 Schedule make_schedule(std::uint32_t ball_count, const Grid& grid, Features features, SortMethod sort,
                        std::uint32_t grid_reuse = 1);
 
-/// The substep that uses the grid of an earlier one: `schedule` without what builds it. Without a grid: the same.
+/// The substep that uses the grid of an earlier one: `schedule` without what builds it. Without a grid: the same. One
+/// that keeps the order can only follow one that does, too.
 Schedule with_grid_reused(Schedule schedule);
+
+/// Whether the features ask for it, and there is a counting sort, which alone can tell where a ball was before.
+bool can_keep_order(const Schedule& schedule);
+
+/// The same substep for balls that stay in the order of their keys from substep to substep: memory is then read and
+/// written nearly in rows, as balls seldom change their cells, and there are fewer dispatches. Nobody but the next such
+/// substep can use what it leaves behind. Between the two worlds: start_order before the first one, put_back for
+/// whoever wants to see `positions` and `velocities`. schedule: builds its grid; can_keep_order().
+Schedule keeping_order(const Schedule& schedule);
+Dispatch start_order(std::uint32_t ball_count);
+Dispatch put_back(std::uint32_t ball_count);
+
+/// start_order, one substep that keeps the order, put_back: for whoever checks dispatch by dispatch.
+Schedule there_and_back(const Schedule& schedule);
 
 }  // namespace ballpit

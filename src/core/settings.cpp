@@ -25,7 +25,7 @@ constexpr Needs walls{&Laws::walls};
 constexpr Needs shake{&Laws::shake};
 constexpr Needs contact_or_walls{&Laws::contact, &Laws::walls};
 
-constexpr std::array<SettingInfo, 22> table = {{
+constexpr std::array<SettingInfo, 23> table = {{
     {"balls", "Balls", "", 0, maximum_balls, true, always,
      "How many balls; those that stay keep their motion when the number changes.", &Settings::balls},
     {"gravity", "Gravity", "m/s^2", -100, 100, false, gravity, "Acceleration of every ball as x,y,z; z is up.",
@@ -63,6 +63,9 @@ constexpr std::array<SettingInfo, 22> table = {{
     {"sorted_copies", "Sorted copies", "", 0, 1, false, contact,
      "Whether collide reads the balls from copies in the order of the cells, or from where they are; same result.",
      &Settings::sorted_copies},
+    {"keep_order", "Keep order", "", 0, 1, false, contact,
+     "Whether, sorted by counting, balls stay in the order of the cells until somebody looks at them; same result.",
+     &Settings::keep_order},
     {"laws", "Laws", "", 0, 0, false, always, "What the scene models, as a list of laws.", &Settings::laws},
     {"walls_low", "Lower walls", "m", -100, 100, false, walls,
      "Where the lower walls stand, counted from their place in the scene; they move there.", &Settings::walls_low},

@@ -52,6 +52,7 @@ struct Settings {
     std::uint32_t grid_reuse = 1;
     NeighbourSearch neighbours = NeighbourSearch::grid;
     bool sorted_copies = true;
+    bool keep_order = true;
     dvec3 walls_low{0.0};                  // m, where the lower walls shall stand, from where the scene has them
     dvec3 walls_high{0.0};                 // m, the same for the upper walls
     double wall_speed = 1.0;               // m/s, at which they go there

@@ -24,8 +24,7 @@ void Simulation::all_or_nothing(const std::function<void()>& action) {
     } catch (...) {
         run_ = run;
         schedule_ = schedule;
-        reused_schedule_ = with_grid_reused(schedule);
-        ++schedule_changes_;
+        derive_schedules();
         seed_ = seed;
         throw;
     }
@@ -111,9 +110,23 @@ Features Simulation::wanted_features(const Settings& settings) const {
 
 void Simulation::set_schedule(std::uint32_t ball_count) {
     schedule_ = schedule_for(fastest_sort_, ball_count);
-    reused_schedule_ = with_grid_reused(schedule_);
+    derive_schedules();
     run_.grid_age = 0;
+}
+
+void Simulation::derive_schedules() {
+    reused_schedule_ = with_grid_reused(schedule_);
+    kept_schedule_ = can_keep_order(schedule_) ? keeping_order(schedule_) : schedule_;
+    kept_reused_schedule_ = with_grid_reused(kept_schedule_);
     ++schedule_changes_;
+}
+
+// Meters read the state of the substep's start beside the one of its end, both in the order of ball ids.
+const Schedule& Simulation::whole_schedule() const {
+    if (!backend_->keeps_order() || metering_ || (!builds_grid() && !backend_->is_in_order())) {
+        return schedule();
+    }
+    return builds_grid() ? kept_schedule_ : kept_reused_schedule_;
 }
 
 Walls Simulation::walls(const Settings& settings) const {
@@ -164,12 +177,12 @@ void Simulation::begin_substep() {
     }
 }
 
-void Simulation::end_substep() {
+void Simulation::end_substep(const Schedule& ran) {
     if (metering_ && !metered_ && !schedule_.in_place) {
         request_reading();
     }
     metered_ = false;
-    if (!schedule_.in_place && !still()) {
+    if (ran.swaps_states && !still()) {
         backend_->swap_states();
     }
     run_.velocity_lag =
@@ -199,12 +212,13 @@ bool Simulation::still() const {
     return motion.drift == 0.0 && motion.first.gain == 0.0 && motion.second.gain == 0.0;
 }
 
-void Simulation::substep() {
+void Simulation::substep(bool watched) {
     begin_substep();
+    const Schedule& runs = watched ? schedule() : whole_schedule();
     if (!still() || (metering_ && !schedule_.in_place)) {
-        backend_->run(schedule(), params(), 0, schedule().dispatches.size());
+        backend_->run(runs, params(), 0, runs.dispatches.size());
     }
-    end_substep();
+    end_substep(runs);
 }
 
 void Simulation::step() {

@@ -65,7 +65,9 @@ public:
 
     /// Runs to the end of the current step: settings.substeps substeps, less those that have run.
     void step();
-    void substep();
+    /// `watched`: somebody will look at what its dispatches leave in the buffers, so it runs schedule(), else
+    /// whole_schedule().
+    void substep(bool watched = false);
 
     /// A substep in parts, for whoever looks between the dispatches: run [first, last) of schedule()
     /// with params(), then end. What the present substep runs: most have the same list, but where a grid is used more
@@ -76,7 +78,12 @@ public:
     /// Whether the next substep takes no time: then nothing runs, nothing is counted, and no bit changes.
     bool still() const;
     void begin_substep();
-    void end_substep();
+    void end_substep() { end_substep(schedule()); }
+    /// The same after another schedule has run: whole_schedule(), or one for a check.
+    void end_substep(const Schedule& ran);
+    /// What the present substep runs where nobody looks between its dispatches, nor at what they leave in other buffers
+    /// than the state's; the same bits come of it.
+    const Schedule& whole_schedule() const;
 
     /// Whether every substep is metered (meter.h); off, it costs nothing. Who runs a substep in parts begins it and
     /// ends it, or its reading is missing.
@@ -157,6 +164,7 @@ private:
     /// `fastest`: the sort that stands for SortMethod::automatic.
     Schedule schedule_for(SortMethod fastest, std::uint32_t ball_count) const;
     void set_schedule(std::uint32_t ball_count);
+    void derive_schedules();
     /// Where the settings leave the sort open: which one it is, by measurement, once for a number of balls.
     void choose_sort();
     double measured_build_ms(SortMethod sort);
@@ -178,6 +186,8 @@ private:
     std::unique_ptr<Backend> backend_;
     Schedule schedule_;
     Schedule reused_schedule_;
+    Schedule kept_schedule_;  // the same with balls that stay in the order of their cells, where that can be
+    Schedule kept_reused_schedule_;
     SortMethod fastest_sort_ = SortMethod::bitonic_fused;
     std::uint32_t sort_chosen_for_ = 0;  // balls
     std::uint64_t schedule_changes_ = 0;

@@ -19,8 +19,10 @@ void Simulation::change_now(const Settings& wanted) {
     interrupt_meters(wanted);
     const bool other_count = wanted.balls != run_.settings.balls;
     // Where collide reads the state from is no other law: the balls stay as they are.
-    const bool other_program =
-        wanted_features(wanted).without(Feature::sorted_copies) != schedule_.features.without(Feature::sorted_copies);
+    const auto laws = [](Features features) {
+        return features.without(Feature::sorted_copies).without(Feature::kept_order);
+    };
+    const bool other_program = laws(wanted_features(wanted)) != laws(schedule_.features);
     const bool other_damping = ball_restitutions(scene_, wanted, run_.settings.balls) != run_.restitutions;
     if (other_count || other_program || other_damping) {
         expect_storage(
@@ -59,7 +61,8 @@ void Simulation::change_now(const Settings& wanted) {
     const bool other_schedule =
         wanted.sort != run_.settings.sort || wanted.cell_factor != run_.settings.cell_factor ||
         wanted.grid_reuse != run_.settings.grid_reuse || wanted.sorted_copies != run_.settings.sorted_copies ||
-        wanted.walls_low != run_.settings.walls_low || wanted.walls_high != run_.settings.walls_high;
+        wanted.keep_order != run_.settings.keep_order || wanted.walls_low != run_.settings.walls_low ||
+        wanted.walls_high != run_.settings.walls_high;
     run_.settings = wanted;
     if (other_schedule) {
         set_schedule(schedule_.ball_count);

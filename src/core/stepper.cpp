@@ -87,6 +87,7 @@ void Stepper::run_dispatches(std::uint32_t last) {
     if (dispatch_ == dispatches()) {
         const Moment before = moment();
         behind_built_grid_ = simulation_.builds_grid();
+        behind_kept_order_ = false;
         simulation_.end_substep();
         arrive(before.step, before.substep);
     }
@@ -99,7 +100,8 @@ void Stepper::finish_substep() {
     }
     const Moment before = moment();
     behind_built_grid_ = simulation_.builds_grid();
-    simulation_.substep();
+    behind_kept_order_ = !watched_ && simulation_.whole_schedule().keeps_order;
+    simulation_.substep(watched_);
     arrive(before.step, before.substep);
 }
 
@@ -159,6 +161,20 @@ void Stepper::go_to(const Position& target) {
     if (wanted > dispatch_) {
         run_dispatches(wanted);
     }
+}
+
+void Stepper::set_watched(bool watched) {
+    watched_ = watched;
+    if (!watched || !behind_kept_order_ || dispatch_ > 0) {
+        return;
+    }
+    const Moment now = moment();
+    const std::optional<Moment> before = previous_moment(now);
+    if (before && timeline_.at_or_before(*before).first.step + 1 >= now.step) {
+        go_to({*before, 0});
+        run_to(now);
+    }
+    behind_kept_order_ = false;
 }
 
 std::uint32_t Stepper::stage_end(std::uint32_t dispatch) {

@@ -63,6 +63,11 @@ public:
         std::function<void(const Schedule&, const SubstepParams<double>&, std::size_t first, std::size_t last)>;
     void set_runner(Runner runner) { runner_ = std::move(runner); }
 
+    /// Whether somebody looks at what a substep leaves in buffers other than the state's (at first: yes). If not, whole
+    /// substeps run as is fastest. What the last one left is made up for when somebody begins to look, unless the
+    /// checkpoint before it is more than a step away.
+    void set_watched(bool watched);
+
     /// Takes the hashes that the device has ready and compares them with what is remembered.
     void update();
     const std::optional<Divergence>& divergence() const { return divergence_; }
@@ -93,6 +98,8 @@ private:
     std::optional<Schedule> schedule_;  // made when it is asked for
     Schedule reused_schedule_;          // the same where the grid is used again
     bool behind_built_grid_ = true;
+    bool watched_ = true;
+    bool behind_kept_order_ = false;     // of the substep that ended here
     std::uint64_t schedule_change_ = 0;  // of the simulation, for which it was made
     std::uint64_t epoch_ = 0;            // tells hashes of a timeline that was left from those of this one
     std::optional<Divergence> divergence_;

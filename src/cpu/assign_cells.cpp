@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "cpu/count_cells.h"
 
 namespace ballpit::cpu {
 
@@ -37,11 +40,27 @@ void assign_cells(const SubstepParams<Real>& params, std::span<const Vec4<Real>>
     }
 }
 
+template <class Real>
+void assign_and_count(const SubstepParams<Real>& params, std::span<const Vec4<Real>> kept_positions,
+                      std::span<Key> keys, std::span<CellRange> cell_ranges, std::span<std::uint32_t> used_tiles,
+                      std::span<std::uint32_t> tickets, Status& status) {
+    const std::vector<Key> before(keys.begin(), keys.end());
+    assign_cells<Real>(params, kept_positions, keys, status, {0, params.ball_count});
+    for (std::uint32_t place = 0; place < params.ball_count; ++place) {
+        keys[place].ball_id = before[place].ball_id;
+    }
+    count_cells(keys.first(params.ball_count), cell_ranges, used_tiles, tickets, status);
+}
+
 template uvec3 cell_coordinates(const SubstepParams<float>&, const Vec3<float>&);
 template uvec3 cell_coordinates(const SubstepParams<double>&, const Vec3<double>&);
 template void assign_cells(const SubstepParams<float>&, std::span<const Vec4<float>>, std::span<Key>, Status&,
                            BallRange);
 template void assign_cells(const SubstepParams<double>&, std::span<const Vec4<double>>, std::span<Key>, Status&,
                            BallRange);
+template void assign_and_count(const SubstepParams<float>&, std::span<const Vec4<float>>, std::span<Key>,
+                               std::span<CellRange>, std::span<std::uint32_t>, std::span<std::uint32_t>, Status&);
+template void assign_and_count(const SubstepParams<double>&, std::span<const Vec4<double>>, std::span<Key>,
+                               std::span<CellRange>, std::span<std::uint32_t>, std::span<std::uint32_t>, Status&);
 
 }  // namespace ballpit::cpu

@@ -19,4 +19,11 @@ template <class Real>
 void assign_cells(const SubstepParams<Real>& params, std::span<const Vec4<Real>> positions, std::span<Key> keys,
                   Status& status, BallRange balls);
 
+/// The same where the order is kept: place i holds the ball that keys[i] names already; and each is counted into its
+/// cell, as count_cells does it. kept_positions: ball_count, in the order of the keys.
+template <class Real>
+void assign_and_count(const SubstepParams<Real>& params, std::span<const Vec4<Real>> kept_positions,
+                      std::span<Key> keys, std::span<CellRange> cell_ranges, std::span<std::uint32_t> used_tiles,
+                      std::span<std::uint32_t> tickets, Status& status);
+
 }  // namespace ballpit::cpu

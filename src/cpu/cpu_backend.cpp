@@ -21,8 +21,10 @@
 #include "cpu/keep_places.h"
 #include "cpu/meter.h"
 #include "cpu/order_keys.h"
+#include "cpu/put_back.h"
 #include "cpu/scan_cells.h"
 #include "cpu/scatter_keys.h"
+#include "cpu/start_order.h"
 
 namespace ballpit::cpu {
 
@@ -96,6 +98,7 @@ void CpuBackend<Real>::reschedule(const Schedule& schedule) {
     const std::size_t counted = schedule.counts_cells ? schedule.ball_count : 0;
     tickets_.assign(counted, 0);
     scattered_keys_.assign(counted, Key{0, 0});
+    origins_.assign(can_keep_order(schedule) ? schedule.ball_count : 0, 0);
     tile_counts_.assign(schedule.counts_cells ? used_tiles_.size() : 0, 0);
 }
 
@@ -113,9 +116,11 @@ CollideOutput<Real> CpuBackend<Real>::collide_output(Features features) {
 template <class Real>
 void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParams<Real>& params) {
     const Features features = dispatch.program.features;
-    Status unwanted{};
-    Status& status = features.has(Feature::diagnostics) ? status_ : unwanted;
-    const std::span<Key> keys = std::span(keys_).first(std::min<std::size_t>(params.ball_count, keys_.size()));
+    if (features.has(Feature::kept_order)) {
+        return run_in_order(dispatch, params);
+    }
+    Status& status = status_for(features);
+    const std::span<Key> keys = ball_keys();
     switch (dispatch.program.shader) {
         case Shader::assign_cells:
             return assign_cells<Real>(params, positions_, keys_, status, {0, params.ball_count});
@@ -145,6 +150,11 @@ void CpuBackend<Real>::run_dispatch(const Dispatch& dispatch, const SubstepParam
             return keep_places<Real>(positions_, built_positions_);
         case Shader::gather:
             return gather<Real>(keys, positions_, velocities_, sorted_positions_, sorted_velocities_);
+        case Shader::start_order:
+            return start_order<Real>(positions_, velocities_, next_positions_, next_velocities_, keys);
+        case Shader::put_back:
+            put_back<Vec4<Real>>(keys, next_positions_, positions_);
+            return put_back<Vec4<Real>>(keys, next_velocities_, velocities_);
         case Shader::collide:
             return collide<Real>(params, features, collide_input(), collide_output(features), status,
                                  {0, params.ball_count});

@@ -62,6 +62,10 @@ protected:
     void add_to_status(const Status& more) { status_ = sum_of(status_, more); }
 
 private:
+    void run_in_order(const Dispatch& dispatch, const SubstepParams<Real>& params);
+    void collide_in_order(const Dispatch& dispatch, const SubstepParams<Real>& params, Status& status);
+    std::span<Key> ball_keys() { return std::span(keys_).first(std::min(positions_.size(), keys_.size())); }
+    Status& status_for(Features features) { return features.has(Feature::diagnostics) ? status_ : unwanted_; }
     void make_next(const Schedule& schedule);
     void load_left_out(std::span<const Compensation> compensations, const Schedule& schedule);
 
@@ -80,7 +84,9 @@ private:
     std::vector<std::uint32_t> tickets_;
     std::vector<Key> scattered_keys_;
     std::vector<std::uint32_t> tile_counts_;
+    std::vector<std::uint32_t> origins_;
     Status status_{};
+    Status unwanted_{};  // nobody looks at it without diagnostics
     std::array<std::optional<Bytes>, slot_count> requested_;
     std::vector<TaggedHash> hashes_;
     std::size_t history_limit_ = 0;  // bytes

@@ -90,6 +90,8 @@ Bytes CpuBackend<Real>::read(Slot slot) {
             return bytes_of<Key>(scattered_keys_);
         case Slot::tile_counts:
             return bytes_of<std::uint32_t>(tile_counts_);
+        case Slot::origins:
+            return bytes_of<std::uint32_t>(origins_);
     }
     return {};
 }
@@ -132,6 +134,8 @@ void CpuBackend<Real>::write(Slot slot, std::span<const std::byte> bytes) {
             return overwrite(scattered_keys_, bytes);
         case Slot::tile_counts:
             return overwrite(tile_counts_, bytes);
+        case Slot::origins:
+            return overwrite(origins_, bytes);
     }
 }
 

@@ -11,4 +11,15 @@ void scatter_keys(std::span<const Key> keys, std::span<const CellRange> cell_ran
     }
 }
 
+void scatter_kept_keys(std::span<const Key> keys, std::span<const CellRange> cell_ranges,
+                       std::span<const std::uint32_t> tickets, std::span<Key> scattered_keys,
+                       std::span<std::uint32_t> origins) {
+    scatter_keys(keys, cell_ranges, tickets, scattered_keys);
+    for (std::uint32_t place = 0; place < keys.size(); ++place) {
+        if (keys[place].cell_id < cell_ranges.size()) {
+            origins[cell_ranges[keys[place].cell_id].first + tickets[place]] = place;
+        }
+    }
+}
+
 }  // namespace ballpit::cpu

@@ -13,4 +13,9 @@ namespace ballpit::cpu {
 void scatter_keys(std::span<const Key> keys, std::span<const CellRange> cell_ranges,
                   std::span<const std::uint32_t> tickets, std::span<Key> scattered_keys);
 
+/// The same where the order is kept: keys and tickets one a place, and each place is noted as its slot's origin.
+void scatter_kept_keys(std::span<const Key> keys, std::span<const CellRange> cell_ranges,
+                       std::span<const std::uint32_t> tickets, std::span<Key> scattered_keys,
+                       std::span<std::uint32_t> origins);
+
 }  // namespace ballpit::cpu

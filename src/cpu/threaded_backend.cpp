@@ -69,6 +69,8 @@ void ThreadedBackend::run_in_whole(const Dispatch& dispatch, const SubstepParams
         case Shader::count_missed:
         case Shader::keep_places:
         case Shader::gather:
+        case Shader::start_order:
+        case Shader::put_back:
             return run_dispatch(dispatch, params);
     }
 }

@@ -16,9 +16,9 @@ namespace ballpit::gpu {
 
 namespace {
 
-constexpr std::array grid_slots = {Slot::keys,        Slot::cell_ranges,      Slot::built_positions,
-                                   Slot::used_tiles,  Slot::tickets,          Slot::scattered_keys,
-                                   Slot::tile_counts, Slot::sorted_positions, Slot::sorted_velocities};
+constexpr std::array grid_slots = {
+    Slot::keys,           Slot::cell_ranges, Slot::built_positions, Slot::used_tiles,       Slot::tickets,
+    Slot::scattered_keys, Slot::tile_counts, Slot::origins,         Slot::sorted_positions, Slot::sorted_velocities};
 
 std::string gl_text(GLenum name) {
     const auto* text = reinterpret_cast<const char*>(glGetString(name));
@@ -89,8 +89,11 @@ std::vector<GpuBackend::SlotRoom> GpuBackend::rooms_of(const Schedule& schedule)
 
 // Now, so that no substep waits for it.
 void GpuBackend::compile(const Schedule& schedule) {
-    for (const Dispatch& dispatch : schedule.dispatches) {
-        programs_->get(dispatch.program);
+    const Schedule whole = can_keep_order(schedule) ? there_and_back(schedule) : schedule;
+    for (const Schedule* each : {&schedule, &whole}) {
+        for (const Dispatch& dispatch : each->dispatches) {
+            programs_->get(dispatch.program);
+        }
     }
 }
 
@@ -101,6 +104,8 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
     std::vector<SlotRoom> rooms = rooms_of(schedule);
     rooms[static_cast<std::size_t>(Slot::damping_ratios)].bytes = ratios.size() * sizeof(float);
     make_room(rooms);
+    in_order_ = false;
+    in_place_of_ids_ = true;
     const Status clean{};
     write(Slot::positions, std::as_bytes(std::span(state.positions)));
     write(Slot::velocities, std::as_bytes(std::span(state.velocities)));
@@ -121,6 +126,7 @@ void GpuBackend::load(const BallState& state, const Schedule& schedule, bool lim
 void GpuBackend::reschedule(const Schedule& schedule) {
     expect_storage(schedule, storage_limits());
     compile(schedule);
+    leave_order();
     std::vector<SlotRoom> rooms;
     for (const SlotRoom& room : rooms_of(schedule)) {
         if (std::ranges::find(grid_slots, room.slot) != grid_slots.end()) {
@@ -153,7 +159,40 @@ void GpuBackend::barrier(Uses uses) {
     }
 }
 
-void GpuBackend::use(Slot slot, Use use) { barrier(hazards_.before_use(slot, use)); }
+void GpuBackend::use(Slot slot, Use use) {
+    if (slot == Slot::positions || slot == Slot::velocities) {
+        bring_back();
+    }
+    barrier(hazards_.before_use(slot, use));
+}
+
+// Before a substep that keeps the order.
+void GpuBackend::begin_order(const Schedule& schedule) {
+    if (!in_order_) {
+        assert(!schedule.swaps_copies);
+        run_dispatch(start_order(schedule.ball_count), schedule, ShaderParams{});
+        balls_in_order_ = schedule.ball_count;
+    }
+    if (schedule.swaps_copies) {
+        hazards_.swap_copies();
+    }
+    in_order_ = true;
+    in_place_of_ids_ = false;
+}
+
+// Before somebody looks at positions or velocities. The order stays, and the next substep may keep it.
+void GpuBackend::bring_back() {
+    if (!in_place_of_ids_) {
+        in_place_of_ids_ = true;
+        run_dispatch(put_back(balls_in_order_), Schedule{}, ShaderParams{});
+    }
+}
+
+// Before somebody changes what the order consists of.
+void GpuBackend::leave_order() {
+    bring_back();
+    in_order_ = false;
+}
 
 void GpuBackend::run_slices(const Dispatch& dispatch, const Schedule& schedule, Programs::Compiled& compiled) {
     const std::uint32_t count = slicer_.slices(schedule, cells_looked_at(dispatch.program));
@@ -205,6 +244,11 @@ void GpuBackend::run(const Schedule& schedule, const SubstepParams<double>& para
                      std::size_t last) {
     if (first == last) {
         return;
+    }
+    if (!schedule.keeps_order) {
+        leave_order();
+    } else if (first == 0) {
+        begin_order(schedule);
     }
     const auto shader_params = narrowed<float>(params);
     const bool timed = timing_ && first == 0 && last == schedule.dispatches.size();
@@ -268,6 +312,9 @@ void GpuBackend::finish() {
 }
 
 const gl::Buffer& GpuBackend::buffer_for_drawing(Slot slot) {
+    if (slot == Slot::positions || slot == Slot::velocities) {
+        bring_back();
+    }
     barrier(hazards_.before_use(slot, Use::vertex) | hazards_.before_use(slot, Use::texture) |
             hazards_.before_use(slot, Use::storage));
     hazards_.shader_reads(slot);

@@ -36,6 +36,8 @@ public:
     void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
              std::size_t last) override;
     void swap_states() override;
+    bool keeps_order() const override { return true; }
+    bool is_in_order() const override { return in_order_; }
     std::unique_ptr<SavedState> save() override;
     void restore(const SavedState& state, const Schedule& schedule) override;
     void request_hash(std::uint64_t tag) override;
@@ -82,6 +84,9 @@ private:
     void make_room(std::span<const SlotRoom> rooms);
     void compile(const Schedule& schedule);
     void forget_grid(const Schedule& schedule);
+    void begin_order(const Schedule& schedule);
+    void bring_back();
+    void leave_order();
     void barrier(Uses uses);
     void use(Slot slot, Use use);
     void run_dispatch(const Dispatch& dispatch, const Schedule& schedule, const ShaderParams& params);
@@ -91,6 +96,9 @@ private:
     std::array<gl::Buffer, slot_count> buffers_;
     std::array<std::size_t, slot_count> used_bytes_{};
     Hazards hazards_;
+    bool in_order_ = false;        // next_* hold the present state, in the order of the keys
+    bool in_place_of_ids_ = true;  // positions and velocities hold it, in the order of ball ids
+    std::uint32_t balls_in_order_ = 0;
     std::uint64_t barriers_issued_ = 0;
     std::uint64_t dispatches_issued_ = 0;
     Slicer slicer_;

@@ -13,6 +13,10 @@ namespace {
 constexpr std::array saved_slots = {Slot::positions, Slot::velocities, Slot::compensations, Slot::damping_ratios,
                                     Slot::status};
 
+// Where the order is kept the state is in these: who writes into one of them ends it.
+constexpr std::array order_slots = {Slot::positions, Slot::velocities, Slot::keys, Slot::next_positions,
+                                    Slot::next_velocities};
+
 struct GpuState final : SavedState {
     using SavedState::SavedState;
     std::size_t bytes() const override {
@@ -56,6 +60,8 @@ void GpuBackend::restore(const SavedState& state, const Schedule& schedule) {
         }
     }
     make_room(rooms);
+    in_order_ = false;
+    in_place_of_ids_ = true;
     const auto fill = [this](Slot slot, const gl::Buffer& bytes) {
         if (bytes.size() != 0 && bytes.size() == used_bytes_[physical(slot)]) {
             use(slot, Use::copy);
@@ -87,6 +93,9 @@ Bytes GpuBackend::read(Slot slot) {
 void GpuBackend::write(Slot slot, std::span<const std::byte> bytes) {
     assert(bytes.size() <= used_bytes_[physical(slot)]);
     if (!bytes.empty()) {
+        if (std::ranges::find(order_slots, slot) != order_slots.end()) {
+            leave_order();
+        }
         gl::Buffer upload("upload", bytes.size(), GL_STREAM_COPY);
         upload.write(bytes);
         use(slot, Use::copy);

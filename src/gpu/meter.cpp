@@ -16,8 +16,9 @@ namespace {
 
 // Without what meter.comp does not look at, which must not split its permutations.
 Features relevant(Features features) {
-    for (const Feature feature : {Feature::drag, Feature::velocity_verlet, Feature::forward_euler, Feature::historical,
-                                  Feature::diagnostics, Feature::compensated, Feature::sorted_copies}) {
+    for (const Feature feature :
+         {Feature::drag, Feature::velocity_verlet, Feature::forward_euler, Feature::historical, Feature::diagnostics,
+          Feature::compensated, Feature::sorted_copies, Feature::kept_order}) {
         features.bits &= ~static_cast<std::uint32_t>(feature);
     }
     return features;

@@ -14,9 +14,20 @@ Bytes copied(const std::vector<T>& elements) {
     return {bytes.begin(), bytes.end()};
 }
 
+template <class T>
+Bytes each_cell_sorted(std::vector<T> elements, std::span<const CellRange> cell_ranges) {
+    for (const CellRange& range : cell_ranges) {
+        if (range.first <= range.end && range.end <= elements.size()) {
+            std::sort(elements.begin() + range.first, elements.begin() + range.end,
+                      [](const T& a, const T& b) { return a < b; });
+        }
+    }
+    return copied(elements);
+}
+
 }  // namespace
 
-bool any_order(Slot slot) { return slot == Slot::tickets || slot == Slot::scattered_keys; }
+bool any_order(Slot slot) { return slot == Slot::tickets || slot == Slot::scattered_keys || slot == Slot::origins; }
 
 Bytes tickets_in_order(std::span<const std::byte> tickets, std::span<const Key> keys) {
     auto sorted = typed<std::uint32_t>(tickets);
@@ -38,14 +49,11 @@ Bytes tickets_in_order(std::span<const std::byte> tickets, std::span<const Key> 
 }
 
 Bytes scattered_in_order(std::span<const std::byte> scattered_keys, std::span<const CellRange> cell_ranges) {
-    auto sorted = typed<Key>(scattered_keys);
-    for (const CellRange& range : cell_ranges) {
-        if (range.first <= range.end && range.end <= sorted.size()) {
-            std::sort(sorted.begin() + range.first, sorted.begin() + range.end,
-                      [](const Key& a, const Key& b) { return a < b; });
-        }
-    }
-    return copied(sorted);
+    return each_cell_sorted(typed<Key>(scattered_keys), cell_ranges);
+}
+
+Bytes origins_in_order(std::span<const std::byte> origins, std::span<const CellRange> cell_ranges) {
+    return each_cell_sorted(typed<std::uint32_t>(origins), cell_ranges);
 }
 
 }  // namespace ballpit::measure

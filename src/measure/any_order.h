@@ -10,7 +10,7 @@
 
 namespace ballpit::measure {
 
-/// Whether that is so of a slot: tickets and scattered keys.
+/// Whether that is so of a slot: tickets, scattered keys and their origins.
 bool any_order(Slot slot);
 
 /// The bytes of such a slot in one order. Tickets: within each cell ascending with the ball id. keys: of the
@@ -18,5 +18,7 @@ bool any_order(Slot slot);
 Bytes tickets_in_order(std::span<const std::byte> tickets, std::span<const Key> keys);
 /// Scattered keys: within the slots of each cell ascending.
 Bytes scattered_in_order(std::span<const std::byte> scattered_keys, std::span<const CellRange> cell_ranges);
+/// Origins: the same.
+Bytes origins_in_order(std::span<const std::byte> origins, std::span<const CellRange> cell_ranges);
 
 }  // namespace ballpit::measure

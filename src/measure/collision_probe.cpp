@@ -116,7 +116,7 @@ void CollisionProbe::run(std::uint32_t substeps) {
     const Settings& settings = question_.settings;
     for (std::uint32_t i = 0; i < substeps; ++i) {
         backend_.run(schedule, probe_params(question_, collisions_, velocity_lag_), 0, schedule.dispatches.size());
-        if (!schedule.in_place) {
+        if (schedule.swaps_states) {
             backend_.swap_states();
         }
         velocity_lag_ =

@@ -20,6 +20,7 @@ constexpr std::array<SlotColumn, 1> damping_columns = {{{"damping_ratio", "", tr
 constexpr std::array<SlotColumn, 2> key_columns = {{{"cell_id", "", false}, {"ball_id", "", false}}};
 constexpr std::array<SlotColumn, 1> used_columns = {{{"used", "", false}}};
 constexpr std::array<SlotColumn, 1> ticket_columns = {{{"ticket", "", false}}};
+constexpr std::array<SlotColumn, 1> origin_columns = {{{"place", "", false}}};
 constexpr std::array<SlotColumn, 1> count_columns = {{{"balls", "", false}}};
 constexpr std::array<SlotColumn, 2> range_columns = {{{"first", "", false}, {"end", "", false}}};
 constexpr std::array<SlotColumn, 6> compensation_columns = {{{"x", "m", true},
@@ -70,6 +71,8 @@ std::span<const SlotColumn> slot_columns(Slot slot) {
             return ticket_columns;
         case Slot::tile_counts:
             return count_columns;
+        case Slot::origins:
+            return origin_columns;
         case Slot::cell_ranges:
             return range_columns;
         case Slot::compensations:
@@ -86,6 +89,7 @@ std::string_view slot_element(Slot slot) {
         case Slot::scattered_keys:
         case Slot::sorted_positions:
         case Slot::sorted_velocities:
+        case Slot::origins:
             return "slot";
         case Slot::used_tiles:
         case Slot::tile_counts:

@@ -22,6 +22,14 @@ bool writes(const Dispatch& dispatch, Slot slot) {
 
 bool is_position(Slot slot) { return slot == Slot::positions || slot == Slot::next_positions; }
 
+std::vector<double> in_order_of(std::span<const Key> keys, std::span<const double> by_ball) {
+    std::vector<double> ordered(by_ball.size());
+    for (std::size_t slot = 0; slot < ordered.size(); ++slot) {
+        ordered[slot] = by_ball[keys[slot].ball_id];
+    }
+    return ordered;
+}
+
 Violation violation_after(Backend& backend, const Schedule& schedule, const Dispatch& dispatch,
                           const SubstepParams<double>& params, const BallState& before) {
     if (dispatch.stage == Stage::collide) {
@@ -34,7 +42,7 @@ Violation violation_after(Backend& backend, const Schedule& schedule, const Disp
         if (any_enters_quarantine(before.positions, positions)) {
             return std::nullopt;
         }
-        return momentum_balanced(params, dispatch.program.features, before.positions, before.velocities,
+        return momentum_balanced(params, schedule.features, before.positions, before.velocities,
                                  read_slot<float>(backend, Slot::damping_ratios), velocities, before.compensations);
     }
     auto keys = read_slot<Key>(backend, Slot::keys);
@@ -95,7 +103,7 @@ void StageChecker::run(const Schedule& schedule, const SubstepParams<double>& pa
 }
 
 void StageChecker::end_substep(const Schedule& schedule) {
-    if (mirror_ != nullptr && !schedule.in_place) {
+    if (mirror_ != nullptr && schedule.swaps_states) {
         mirror_->swap_states();
     }
     ++substeps_;
@@ -135,6 +143,9 @@ Bytes StageChecker::in_mirror_order(Slot slot, const Bytes& bytes) {
     if (slot == Slot::tickets) {
         return tickets_in_order(bytes, read_slot<Key>(backend_, Slot::keys));
     }
+    if (slot == Slot::origins) {
+        return origins_in_order(bytes, read_slot<CellRange>(backend_, Slot::cell_ranges));
+    }
     return any_order(slot) ? scattered_in_order(bytes, read_slot<CellRange>(backend_, Slot::cell_ranges)) : bytes;
 }
 
@@ -149,7 +160,11 @@ std::vector<double> StageChecker::bounds(Slot slot, const Dispatch& dispatch, co
     if (slot == Slot::compensations) {
         return std::move(bound.compensation);
     }
-    return is_position(slot) ? std::move(bound.position) : std::move(bound.velocity);
+    std::vector<double>& by_ball = is_position(slot) ? bound.position : bound.velocity;
+    if (!dispatch.program.features.has(Feature::kept_order)) {
+        return std::move(by_ball);
+    }
+    return in_order_of(read_slot<Key>(backend_, Slot::keys), by_ball);
 }
 
 void StageChecker::add(CheckRow& row, const Comparison& difference, const Dispatch& dispatch) const {

@@ -47,8 +47,7 @@ public:
     /// difference is reported where it arises, not where it ends up. After each stage its invariant is checked.
     void run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first, std::size_t last);
 
-    /// The mirror follows the backend's swap_states().
-    /// Of this schedule.
+    /// The mirror follows the backend, which has changed roles where the schedule says so.
     void end_substep(const Schedule& schedule);
 
     /// Forgets the findings, not the state.

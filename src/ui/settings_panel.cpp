@@ -17,8 +17,8 @@ namespace ballpit::ui {
 namespace {
 
 // What no result depends on, unless it is chosen badly.
-constexpr std::array<std::string_view, 5> computing = {"sort", "sorted_copies", "cell_factor", "grid_reuse",
-                                                       "neighbours"};
+constexpr std::array<std::string_view, 6> computing = {"sort",        "sorted_copies", "keep_order",
+                                                       "cell_factor", "grid_reuse",    "neighbours"};
 
 const char* backend_text(BackendChoice choice) {
     switch (choice) {

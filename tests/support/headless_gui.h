@@ -13,10 +13,10 @@ namespace ballpit::test {
 
 class HeadlessGui {
 public:
-    HeadlessGui() {
+    explicit HeadlessGui(const ImVec2& size = ImVec2(1280.0f, 720.0f)) {
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
-        io.DisplaySize = ImVec2(1280.0f, 720.0f);
+        io.DisplaySize = size;
         io.IniFilename = nullptr;
 #if IMGUI_VERSION_NUM >= 19200
         io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
