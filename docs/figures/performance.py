@@ -92,6 +92,7 @@ def figure(machine):
     x_range = (counts[0], counts[-1])
     x_ticks = [(v, count(v)) for v in counts[::2 if len(counts) > 5 else 1]]
     for left, word, curves in ((80, "whole substep, by sort", by_sort(rows)), (690, f"stages with {sort}", stages)):
+        curves = {key: points for key, points in curves.items() if all(b > 0 for _, b in points)}
         y_range = decades([b for points in curves.values() for _, b in points])
         axes = Axes(p, (left, 120, 310, 310), x_range, y_range, log_x=True, log_y=True)
         axes.frame(x_ticks, ticks(*y_range), "balls", "ms")
@@ -100,12 +101,23 @@ def figure(machine):
     return p.finish()
 
 
+def stage_text(row, name, text):
+    """Nothing where the stage did not run, a dash where its time cannot be true."""
+    if not row[name]:
+        return "–"
+    return text(float(row[name])) if float(row[name]) > 0 else ""
+
+
+def rate_text(gb_s):
+    return f"{gb_s:,.0f}".replace(",", " ") if gb_s >= 100 else f"{gb_s:.3g}"
+
+
 def table_of_times(rows):
     stages = stages_of(rows)
     lines = [f"| balls | sort | substep | quartiles | {' | '.join(stages)} |",
              "| ---: | --- | ---: | --- |" + " ---: |" * len(stages)]
     for row in rows:
-        times = [f"{shown(float(row[name]))}" if row[name] else "–" for name in stages]
+        times = [stage_text(row, name, shown) for name in stages]
         whole = f"**{shown(float(row['ms_per_substep']))}**" if row["ms_per_substep"] else "–"
         spread = f"{shown(float(row['q1']))} – {shown(float(row['q3']))}"
         lines.append(f"| {count(row['balls'])} | {row['sort']} | {whole} | {spread} | {' | '.join(times)} |")
@@ -121,10 +133,9 @@ def table_of_rates(rows):
     for row in (row for row in rows if row["sort"] == sort):
         balls = float(row["balls"])
         copy = float(row["copy_gb_s"])
-        shares = [f"{float(row[n + '_gb_s']):.3g} ({100 * float(row[n + '_gb_s']) / copy:.0f} %)"
-                  if row[n + "_gb_s"] else "–" for n in stages]
+        shares = [stage_text(row, n + "_gb_s", lambda rate: f"{rate_text(rate)} ({100 * rate / copy:.0f} %)") for n in stages]
         lines.append(f"| {count(balls)} | {float(row['candidates']):.1f} | {float(row['contacts']):.1f} | "
-                     f"{copy:.3g} | {float(row['bytes_per_ball']):.0f} | {float(row['cell_table_bytes']) / balls:.0f} | "
+                     f"{rate_text(copy)} | {float(row['bytes_per_ball']):.0f} | {float(row['cell_table_bytes']) / balls:.0f} | "
                      f"{' | '.join(shares)} |")
     return lines
 

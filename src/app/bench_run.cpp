@@ -42,6 +42,10 @@ std::uint64_t warm_up(Simulation& simulation, const BenchPlan& plan) {
     return std::min(plan.steps, std::max(steps, fewest_steps));
 }
 
+std::uint32_t missed_so_far(Simulation& simulation) {
+    return read_slot<Status>(simulation.backend(), Slot::status).front().missed;
+}
+
 void time_substeps(Simulation& simulation, std::uint64_t steps, BenchRow& row) {
     BenchTimer timer(simulation.backend());
     const auto start = Clock::now();
@@ -259,9 +263,10 @@ BenchRow measure_row(Simulation& simulation, const Checkpoint& start, const Sett
     row.crowding = measure::crowding_of(read_slot<vec4>(simulation.backend(), Slot::positions), schedule.grid);
     row.steps = warm_up(simulation, plan);
     begin_again(simulation, start, settings);
+    const std::uint32_t missed_before = missed_so_far(simulation);
     time_substeps(simulation, row.steps, row);
     row.hash = hash_state(simulation.raw_state());
-    row.missed = read_slot<Status>(simulation.backend(), Slot::status).front().missed;
+    row.missed = missed_so_far(simulation) - missed_before;  // not those of the way to rest
     begin_again(simulation, start, settings);
     time_stages(simulation, row.steps, row);
     if (plan.dispatches) {
