@@ -60,7 +60,7 @@ constexpr std::array<SettingInfo, 23> table = {{
     {"neighbours", "Neighbours", "", 0, 0, false, contact,
      "Whether a ball looks for its neighbours in the cells around it, or asks every other ball.",
      &Settings::neighbours},
-    {"sorted_copies", "Sorted copies", "", 0, 1, false, contact,
+    {"sorted_copies", "Copies", "", 0, 1, false, contact,
      "Whether collide reads the balls from copies in the order of the cells, or from where they are; same result.",
      &Settings::sorted_copies},
     {"keep_order", "Keep order", "", 0, 1, false, contact,
