@@ -1,6 +1,6 @@
 #version 430 core
-// One thread a ball, or with SORTED_COPIES one a slot: contact forces of the balls in 3 x 3 x 3 cells and of the walls, gravity, drag, and the
-// integrator. Where balls touch each other the result goes into the other state buffer, so that every thread reads
+// One thread a ball, or with SORTED_COPIES one a slot: contact forces of the balls in 3 x 3 x 3 cells and of the walls,
+// gravity, drag, and the integrator. Where balls touch each other the result goes into the other state buffer, so that every thread reads
 // only the old state: no race, no order. Where they do not, each thread has its ball to itself and works in place.
 // `precise` keeps the compiler from contracting and reordering, so that the mirror can agree bit for bit.
 // Laws that the scene does not declare are not compiled in, declarations included.

@@ -3,7 +3,7 @@
 // as they may be seen, are listed to be drawn as usual, with all that drawing asks for. OpenGL 4.3 has no operation that
 // compares a depth and keeps a number with it; so this runs twice, first for the depths, then for the balls that have
 // them. Once for all of it, because only the same code is sure to give the same depth again. Of balls at the same depth
-// the first one is shown, whoever comes first.
+// the first one is shown, whoever comes first; of those that are listed, one or the other.
 #include "shared/frame.glsl"
 #include "shared/ball.glsl"
 #include "shared/pixel_balls.glsl"

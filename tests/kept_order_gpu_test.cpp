@@ -174,7 +174,9 @@ TEST_CASE_METHOD(GlFixture, "who begins to look finds what the last substep leav
         return slots;
     };
     Simulation simulation(scene, settings_for(scene, true), 1, test::gpu_backend());
-    Stepper stepper(simulation, std::size_t{1} << 24);
+    const std::size_t budget =
+        GENERATE(std::size_t{1} << 24, std::size_t{1} << 16);  // checkpoints a step, or steps apart
+    Stepper stepper(simulation, budget);
     stepper.set_watched(false);
     for (int step = 0; step < 5; ++step) {
         stepper.forward(StepUnit::step);

@@ -80,7 +80,8 @@ bool touches(Ball a, uint place, out vec3 normal, out float overlap, out float r
         }
 #endif
         float separation = sqrt(distance_squared);
-        precise vec3 direction = distance_squared > 0.0 ? offset / separation : coincident_direction(id_of(a), ball_at(place));
+        precise vec3 direction =
+            distance_squared > 0.0 ? offset / separation : coincident_direction(id_of(a), ball_at(place));
         precise float depth = reach - separation;
         normal = direction;
         overlap = depth;

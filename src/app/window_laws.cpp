@@ -93,7 +93,7 @@ void WindowLaws::tell_of_programs(const Session& session) {
         return;
     }
     layout_ = session.layout_changes();
-    for (const Dispatch& dispatch : session.simulation().schedule().dispatches) {
+    for (const Dispatch& dispatch : session.simulation().whole_schedule().dispatches) {
         if (dispatch.program.shader != Shader::collide) {
             continue;  // only there do laws make programs
         }
@@ -108,7 +108,7 @@ const ui::LawsState* WindowLaws::describe(const Session& session, bool open) {
     if (!open) {
         return nullptr;
     }
-    const Schedule& schedule = session.simulation().schedule();
+    const Schedule& schedule = session.simulation().whole_schedule();
     state_ = {};
     state_.costs = meter_.costs();
     state_.measuring = meter_.busy() || settling_;

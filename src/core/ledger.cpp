@@ -14,6 +14,9 @@ namespace {
 // Runs a substep in the books; gives the number of barriers before its first dispatch and before the others.
 BarrierCount run_in_the_books(const Schedule& schedule, Hazards& hazards) {
     BarrierCount count;
+    if (schedule.swaps_copies) {
+        hazards.swap_copies();
+    }
     for (const Dispatch& dispatch : schedule.dispatches) {
         if (const Uses uses = hazards.before(dispatch); uses != 0) {
             hazards.issued(uses);

@@ -8,6 +8,10 @@ namespace ballpit {
 
 namespace {
 
+// Steps that are run again for what the last substep leaves: as many as lie between two checkpoints, where there is
+// room for any.
+constexpr std::uint64_t furthest_made_up = 64;
+
 // Steps fit below, the epoch above.
 constexpr std::uint64_t step_bits = 40;
 
@@ -43,6 +47,7 @@ Stepper::Stepper(Simulation& simulation, std::size_t checkpoint_budget)
 void Stepper::reset() {
     timeline_.clear();
     dispatch_ = 0;
+    behind_kept_order_ = false;
     divergence_.reset();
     ++epoch_;
     timeline_.add(moment(), simulation_.checkpoint());
@@ -141,6 +146,7 @@ void Stepper::remember() {
 }
 
 void Stepper::restore(const Moment& moment) {
+    behind_kept_order_ = false;
     simulation_.restore(timeline_.at_or_before(moment).second);
     dispatch_ = 0;
 }
@@ -170,11 +176,10 @@ void Stepper::set_watched(bool watched) {
     }
     const Moment now = moment();
     const std::optional<Moment> before = previous_moment(now);
-    if (before && timeline_.at_or_before(*before).first.step + 1 >= now.step) {
+    if (before && timeline_.at_or_before(*before).first.step + furthest_made_up >= now.step) {
         go_to({*before, 0});
         run_to(now);
     }
-    behind_kept_order_ = false;
 }
 
 std::uint32_t Stepper::stage_end(std::uint32_t dispatch) {

@@ -64,8 +64,8 @@ public:
     void set_runner(Runner runner) { runner_ = std::move(runner); }
 
     /// Whether somebody looks at what a substep leaves in buffers other than the state's (at first: yes). If not, whole
-    /// substeps run as is fastest. What the last one left is made up for when somebody begins to look, unless the
-    /// checkpoint before it is more than a step away.
+    /// substeps run as is fastest. What the last one left is made up for when somebody begins to look, by running the
+    /// steps since the checkpoint before it again; not where there is no room for checkpoints.
     void set_watched(bool watched);
 
     /// Takes the hashes that the device has ready and compares them with what is remembered.

@@ -1,6 +1,7 @@
 #include "gpu/gpu_backend.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core/contact.h"

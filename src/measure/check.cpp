@@ -12,11 +12,12 @@ CheckReport check(Simulation& simulation, Backend& mirror, std::uint64_t steps,
                   const std::function<void(std::uint64_t)>& progress) {
     StageChecker checker(simulation.backend(), mirror);
     checker.load(simulation.raw_state(), simulation.schedule(), simulation.settings().limit_force);
+    std::uint64_t builds = 0;
     for (std::uint64_t step = 0; step < steps; ++step) {
         for (std::uint32_t i = 0; i < simulation.settings().substeps; ++i) {
-            // Every other substep as it runs where balls stay in the order of their cells.
-            const bool kept =
-                can_keep_order(simulation.schedule()) && simulation.builds_grid() && checker.substeps() % 2 == 1;
+            // Every other build as it runs where balls stay in the order of their cells.
+            builds += simulation.builds_grid() ? 1 : 0;
+            const bool kept = can_keep_order(simulation.schedule()) && simulation.builds_grid() && builds % 2 == 0;
             const Schedule schedule = kept ? there_and_back(simulation.schedule()) : simulation.schedule();
             checker.run(schedule, simulation.params(), 0, schedule.dispatches.size());
             checker.end_substep(schedule);

@@ -82,10 +82,11 @@ void StageChecker::load(const BallState& state, const Schedule& schedule, bool l
 
 void StageChecker::run(const Schedule& schedule, const SubstepParams<double>& params, std::size_t first,
                        std::size_t last) {
+    BallState before;
     for (std::size_t i = first; i < last; ++i) {
         const Dispatch& dispatch = schedule.dispatches[i];
-        BallState before;  // collide may work in place
-        if (dispatch.stage == Stage::collide) {
+        // Before the first of the stage: collide may work in place, and changes what sums have left out.
+        if (dispatch.stage == Stage::collide && (i == first || schedule.dispatches[i - 1].stage != Stage::collide)) {
             before.positions = read_slot<vec4>(backend_, Slot::positions);
             before.velocities = read_slot<vec4>(backend_, Slot::velocities);
             before.compensations = read_slot<Compensation>(backend_, Slot::compensations);

@@ -55,6 +55,8 @@ void PixelBalls::find(const Picture& picture, bool valued, std::span<const NearD
     provide(pixels_, "balls of the pixels", bytes_of_pixels(picture));
     provide(near_balls_, "near balls", bytes_of_list(picture));
     provide(near_draws_, "draws of near balls", draws.size_bytes());
+    // The picture before may still be working with all three of them.
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
     near_draws_.write(std::as_bytes(draws));
     const gl::Buffer& velocities = picture.velocities != nullptr ? *picture.velocities : *picture.positions;
     const gl::Buffer& values = valued ? *picture.values : *picture.positions;
