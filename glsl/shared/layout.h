@@ -18,8 +18,8 @@
 
 #define SENTINEL 0xFFFFFFFFu      // cell id and ball id of the keys that pad to a power of two: they sort last
 
-// Slots: the binding of each buffer, up to the tenth. GL 4.3 guarantees the first eight of them to a compute shader, and eight at a time;
-// core/storage_limits.h refuses what a device has no room for.
+// Slots: the binding of each buffer, up to the tenth. GL 4.3 guarantees the first eight of them to a compute shader, and
+// eight at a time; core/storage_limits.h refuses what a device has no room for.
 #define SLOT_POSITIONS 0          // vec4 a ball: centre (m), radius (m)
 #define SLOT_VELOCITIES 1         // vec4 a ball: velocity (m/s), mass (kg)
 #define SLOT_DAMPING_RATIOS 2     // float a ball: dashpot zeta, only where a ball has a restitution of its own
