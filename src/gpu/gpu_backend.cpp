@@ -1,7 +1,6 @@
 #include "gpu/gpu_backend.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "core/contact.h"
@@ -161,38 +160,8 @@ void GpuBackend::barrier(Uses uses) {
 }
 
 void GpuBackend::use(Slot slot, Use use) {
-    if (slot == Slot::positions || slot == Slot::velocities) {
-        bring_back();
-    }
+    look_at(slot);
     barrier(hazards_.before_use(slot, use));
-}
-
-// Before a substep that keeps the order.
-void GpuBackend::begin_order(const Schedule& schedule) {
-    if (!in_order_) {
-        assert(!schedule.swaps_copies);
-        run_dispatch(start_order(schedule.ball_count), schedule, ShaderParams{});
-        balls_in_order_ = schedule.ball_count;
-    }
-    if (schedule.swaps_copies) {
-        hazards_.swap_copies();
-    }
-    in_order_ = true;
-    in_place_of_ids_ = false;
-}
-
-// Before somebody looks at positions or velocities. The order stays, and the next substep may keep it.
-void GpuBackend::bring_back() {
-    if (!in_place_of_ids_) {
-        in_place_of_ids_ = true;
-        run_dispatch(put_back(balls_in_order_), Schedule{}, ShaderParams{});
-    }
-}
-
-// Before somebody changes what the order consists of.
-void GpuBackend::leave_order() {
-    bring_back();
-    in_order_ = false;
 }
 
 void GpuBackend::run_slices(const Dispatch& dispatch, const Schedule& schedule, Programs::Compiled& compiled) {
@@ -313,9 +282,7 @@ void GpuBackend::finish() {
 }
 
 const gl::Buffer& GpuBackend::buffer_for_drawing(Slot slot) {
-    if (slot == Slot::positions || slot == Slot::velocities) {
-        bring_back();
-    }
+    look_at(slot);
     barrier(hazards_.before_use(slot, Use::vertex) | hazards_.before_use(slot, Use::texture) |
             hazards_.before_use(slot, Use::storage));
     hazards_.shader_reads(slot);

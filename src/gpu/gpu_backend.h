@@ -86,6 +86,7 @@ private:
     void forget_grid(const Schedule& schedule);
     void begin_order(const Schedule& schedule);
     void bring_back();
+    void look_at(Slot slot);
     void leave_order();
     void barrier(Uses uses);
     void use(Slot slot, Use use);
