@@ -82,6 +82,10 @@ TEST_CASE("a sample is of one substep, wherever in it the run stands", "[inspect
 
 TEST_CASE("before the first substep a sample has what was filled ahead of it", "[inspection]") {
     app::Session session = inspected_session("rain", 300);
+    Settings sorted = session.simulation().settings();
+    sorted.sort = GENERATE(SortMethod::bitonic_fused, SortMethod::counting);
+    session.want(sorted);
+    session.apply(false);
     const measure::BufferSample bare = sample_of(session);
     CHECK(bare.keys.empty());
     CHECK(bare.cell_ranges.empty());

@@ -145,6 +145,7 @@ CLI::App* add_bench(CLI::App& app, Options& options) {
                      "Time frames with a picture as well and tell its passes, of balls drawn as model or impostor")
         ->check(CLI::IsMember({"model", "impostor"}));
     add_size_option(*bench, options, "Size of that picture (default 1920x1080)");
+    bench->get_option("--scene")->default_str("bench_pile");  // as use_bench_defaults() has it
     bench->add_option("--json", options.json, "Report as JSON to a file, or - for standard output");
     bench->add_option("--csv", options.csv, "Report as CSV to a file, or - for standard output");
     return bench;
