@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 
+#include "gl/software.h"
 #include "support/catch.h"
 #include "support/gl_fixture.h"
 #include "support/studio.h"
@@ -102,11 +103,12 @@ TEST_CASE_METHOD(GlFixture, "small balls, large ones and those in between stand 
             }
             const Pixels by_pixel = pixels.draw();
             CAPTURE(static_cast<int>(look), static_cast<int>(colour));
-            // Large balls are drawn in the order in which a device lists them: where two are as deep, one or the other
-            // is seen, in another picture perhaps the other one (on an NVIDIA H100 in the model look 0.009 of 255
-            // levels).
-            CHECK(mean_difference(by_pixel, rays.draw()) <= 0.02);
-            CHECK(mean_difference(by_pixel, pixels.draw()) <= 0.02);
+            // A GPU draws large balls in the order in which it has listed them: where two are as deep, one or the other
+            // is seen, in another picture perhaps the other one (NVIDIA H100, look model: 0.009 of 255 levels).
+            const double ties =
+                gl::draws_in_software(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) ? 0.0 : 0.02;
+            CHECK(mean_difference(by_pixel, rays.draw()) <= (look == Look::model ? ties : 0.02));
+            CHECK(mean_difference(by_pixel, pixels.draw()) <= ties);
         }
     }
 }
