@@ -25,6 +25,13 @@ TEST_CASE_METHOD(GlFixture, "what shipped scenes run is built ahead, anything el
     simulation.step();
     CHECK(programs->on_demand().empty());
     Settings settings = scene.settings;
+    for (const bool keep : {true, false}) {  // how it is computed is no other law
+        settings.sort = SortMethod::counting;
+        settings.keep_order = settings.sorted_copies = keep;
+        simulation.change(settings);
+        CHECK(programs->on_demand().empty());
+    }
+    settings = scene.settings;
     settings.laws.drag = !settings.laws.drag;
     simulation.change(settings);
     REQUIRE(programs->on_demand().size() == 1);

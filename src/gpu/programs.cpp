@@ -19,6 +19,18 @@ std::vector<std::string_view> defines_of(Features features) {
     return defines;
 }
 
+namespace {
+
+// Where the state is kept is no law.
+bool same_laws(const Program& a, const Program& b) {
+    const auto laws = [](Features features) {
+        return features.without(Feature::sorted_copies).without(Feature::kept_order);
+    };
+    return laws(a.features) == laws(b.features);
+}
+
+}  // namespace
+
 Programs::Compiled& Programs::get(const Program& program) {
     const auto found = compiled_.find(program);
     if (found != compiled_.end()) {
@@ -32,7 +44,9 @@ Programs::Compiled& Programs::get(const Program& program) {
     compiled.program = gl::Program(stages);
     compiled.params = ParamsBlock(compiled.program);
     compiled.dispatch_constants = compiled.program.uniform("dispatch_constants");
-    if (!shipped_.empty() && !shipped_.contains(program)) {
+    const bool known = std::ranges::any_of(
+        shipped_, [&](const Program& each) { return each.shader == program.shader && same_laws(each, program); });
+    if (!shipped_.empty() && program.shader == Shader::collide && !known) {
         on_demand_.push_back({program, milliseconds_since(start)});
     }
     return compiled_.emplace(program, std::move(compiled)).first->second;
