@@ -11,6 +11,20 @@ TEST_CASE_METHOD(GlFixture, "the GPU's laws are measured, and the simulation doe
     test::measures_every_law([] { return test::gpu_backend(); });
 }
 
+TEST_CASE_METHOD(GlFixture, "where the state is kept makes no other set of laws", "[gpu-programs]") {
+    const auto programs = std::make_shared<gpu::Programs>(test::shader_folder());
+    const Scene scene = test::shipped_scene("pile");
+    programs->set_shipped(shipped_programs(std::span(&scene, 1)));
+    Settings settings = scene.settings;
+    settings.balls = 100;
+    settings.sort = SortMethod::counting;
+    Simulation simulation(scene, settings, 1, std::make_unique<gpu::GpuBackend>(programs));
+    REQUIRE(simulation.whole_schedule().keeps_order);
+    settings.keep_order = settings.sorted_copies = false;
+    simulation.change(settings);
+    CHECK(programs->on_demand().empty());
+}
+
 TEST_CASE_METHOD(GlFixture, "what shipped scenes run is built ahead, anything else on demand and noted",
                  "[gpu-programs]") {
     const auto programs = std::make_shared<gpu::Programs>(test::shader_folder());
@@ -25,13 +39,6 @@ TEST_CASE_METHOD(GlFixture, "what shipped scenes run is built ahead, anything el
     simulation.step();
     CHECK(programs->on_demand().empty());
     Settings settings = scene.settings;
-    for (const bool keep : {true, false}) {  // how it is computed is no other law
-        settings.sort = SortMethod::counting;
-        settings.keep_order = settings.sorted_copies = keep;
-        simulation.change(settings);
-        CHECK(programs->on_demand().empty());
-    }
-    settings = scene.settings;
     settings.laws.drag = !settings.laws.drag;
     simulation.change(settings);
     REQUIRE(programs->on_demand().size() == 1);
